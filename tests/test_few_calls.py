@@ -37,7 +37,7 @@ def test_values_are_those_of_the_function():
         np.testing.assert_allclose(values[name], wanted[name], rtol=1e-14)
 
 
-@pytest.mark.parametrize("size, quickly", [(5, True), (few_calls.FEW + 1, False)])
+@pytest.mark.parametrize("size, quickly", [(5, True), (few_calls.LIMITS.max_numbers + 1, False)])
 def test_options_are_taken_for_few_numbers(compiled_with, size, quickly):
     compiled_for_few_calls(lambda x: jnp.sort(x) * 3.25)(np.ones(size))
     taken = dict(compiled_with[-1])
@@ -64,7 +64,7 @@ def test_what_numpy_has_is_not_compiled(compiled_with):
         np.testing.assert_allclose(found["y"], np.tanh(X) * k, rtol=1e-15)
         assert isinstance(found["y"], jax.Array) and found["none"] is None
     assert not compiled_with
-    many = function(np.ones(few_calls.FEW + 1), 2.0, "none")["y"]
+    many = function(np.ones(few_calls.LIMITS.max_numbers + 1), 2.0, "none")["y"]
     np.testing.assert_allclose(many, np.tanh(1.0) * 2.0, rtol=1e-15)
     assert compiled_with
 

@@ -171,7 +171,7 @@ def test_blocks_give_what_the_whole_gives(monkeypatch):
 
 
 def test_a_system_too_large_is_refused_before_it_is_solved(monkeypatch):
-    monkeypatch.setattr(sparse, "MOST_WORK", 1e4)
+    monkeypatch.setattr(sparse, "LIMITS", sparse.SolvingLimits(max_work=1e4))
     with pytest.raises(InvalidInput, match=r"equations for \d+ unknowns at once.*Lower the degree.*`casimirs=`"):
         lie.polynomial_casimirs(lie.SO(4), 4)
     assert len(lie.polynomial_casimirs(lie.SO(4), 2)) == 2

@@ -96,7 +96,7 @@ DEAF = """
 import os, signal
 from polhode.cli import stopping
 from polhode.formats.paths import write_whole
-stopping.GRACE = 0.2
+stopping.LIMITS = stopping.StoppingLimits(grace=0.2)
 with stopping.stop_on_signals(), write_whole("a") as draft:
     draft.write_text("half")
     while True:

@@ -11,7 +11,7 @@ import pytest
 import sympy
 
 from polhode._base.rational import read_number
-from polhode._base.rational.numbers import LARGEST_EXPONENT, LONGEST
+from polhode._base.rational.numbers import LIMITS
 from polhode.errors import InvalidInput
 
 
@@ -84,11 +84,11 @@ def test_what_is_no_number_or_would_take_minutes_is_refused_at_once(value):
 
 
 def test_the_bounds_lie_where_they_are_said_to():
-    assert read_number(f"1e{LARGEST_EXPONENT}") == 10**LARGEST_EXPONENT
-    assert read_number(Decimal(f"1e-{LARGEST_EXPONENT}")) == Fraction(1, 10**LARGEST_EXPONENT)
-    assert read_number("1" * LONGEST) % 10 == 1
+    assert read_number(f"1e{LIMITS.max_exponent}") == 10**LIMITS.max_exponent
+    assert read_number(Decimal(f"1e-{LIMITS.max_exponent}")) == Fraction(1, 10**LIMITS.max_exponent)
+    assert read_number("1" * LIMITS.max_digits) % 10 == 1
     with pytest.raises(InvalidInput, match="must be decimals"):
-        read_number("1" * (LONGEST + 1))
+        read_number("1" * (LIMITS.max_digits + 1))
 
 
 def test_another_reading_is_refused():

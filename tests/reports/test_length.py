@@ -61,7 +61,7 @@ ENDLESS = {
 @pytest.mark.long_cases("moments far apart", "a moon for a billion years")
 @pytest.mark.parametrize("name", first(4, ENDLESS))
 def test_runs_without_end_are_ended_soon(tmp_path, monkeypatch, name):
-    monkeypatch.setattr(length, "WATCHED", 0.1)
+    monkeypatch.setattr(length, "LIMITS", length.LengthLimits(watched_seconds=0.1))
     text, until = ENDLESS[name]
     spec = made(tmp_path, text.replace("lagrange-top", "heavy-top"), until)
     with pytest.raises(InvalidInput, match=r"`time\.until` of .* would take about \S+ \S+; at most some ten minutes"):
@@ -100,7 +100,7 @@ def test_long_runs_say_so_once_on_standard_error(monkeypatch, capsys):
 
 
 def test_what_was_compiled_before_the_first_look_does_not_count(monkeypatch, capsys):
-    monkeypatch.setattr(length, "SAID_FROM", 2.0)
+    monkeypatch.setattr(length, "LIMITS", length.LengthLimits(long_seconds=2.0))
     clock = Clock(0.0)
     monkeypatch.setattr(length, "time", clock)
     watch = length.Watch(100.0, np.linspace(0.0, 100.0, 50))
@@ -153,7 +153,7 @@ def test_runs_without_end_and_without_progress_are_told_in_numbers(monkeypatch):
 
 @pytest.mark.sweep
 def test_a_step_given_in_the_spec_is_watched_too(tmp_path, monkeypatch):
-    monkeypatch.setattr(length, "WATCHED", 0.1)
+    monkeypatch.setattr(length, "LIMITS", length.LengthLimits(watched_seconds=0.1))
     with pytest.raises(InvalidInput, match=r"would take about .* A longer `system\.step` takes less"):
         made(tmp_path, "dual_spin.toml", "300 day", step='"0.01 s"').report()
 

@@ -192,8 +192,7 @@ def test_a_thin_rod_is_refused(report):
 @pytest.mark.long
 def test_stiff_losses_are_announced(report, monkeypatch, capsys):
     """They ran for over 100 s without a word: steps are as short as the fastest loss is quick, with nothing to lose."""
-    monkeypatch.setattr(length, "WATCHED", 0.02)
-    monkeypatch.setattr(length, "SAID_FROM", 0.05)
+    monkeypatch.setattr(length, "LIMITS", length.LengthLimits(watched_seconds=0.02, long_seconds=0.05))
     report(TRIAXIAL, "damping = 1e4", 'angular_velocity = ["0.1 rad/s", "0.1 rad/s", "1 rad/s"]', 'until = "60 s"')
     assert "this takes about" in capsys.readouterr().err
 

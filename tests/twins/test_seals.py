@@ -151,7 +151,7 @@ def a_function_of_numba(folder, spec):
 def a_table_of_units(folder, spec):
     kept_units.load_registry(folder / "units")
     (place,) = (folder / "units").iterdir()
-    return place, lambda: read_sealed(place, kept_units.LARGEST)
+    return place, lambda: read_sealed(place, kept_units.LIMITS.max_bytes)
 
 
 def the_compilers_flags(folder, spec):
@@ -164,7 +164,7 @@ def the_compilers_flags(folder, spec):
         patch.setattr(compiled, "_starts_with", lambda flags: True)
         compiled._known_flags(flags)
     (place,) = (folder / "polhode" / "flags").iterdir()
-    return place, lambda: read_sealed(place, compiled.LARGEST_FLAGS)
+    return place, lambda: read_sealed(place, compiled.LIMITS.max_flag_bytes)
 
 
 WHOLE = {"report": a_report, "page": a_page, "mark of a chunk": a_mark, "compiled by JAX": a_program_of_jax,

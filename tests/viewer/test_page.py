@@ -23,7 +23,7 @@ from polhode.spacecraft import LinearDrag, RigidBody, Wheel
 from polhode.systems import FreeRigidBody, HeavyTop
 from polhode.viewer.encoding import with_powers
 from polhode.viewer.page import check_given
-from polhode.viewer.samples import MOST
+from polhode.viewer.samples import LIMITS
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 LARGEST = 1_500_000
@@ -111,12 +111,12 @@ def test_markup_in_names_stays_inside_the_data(tmp_path):
 def test_million_samples_are_thinned_and_it_says_so(tmp_path):
     exact = MOTION.sample(np.linspace(0.0, 20.0, 1_000_000))
     data = data_of(write_page(exact, tmp_path / "exact.html"))
-    assert len(array(data["times"])) <= MOST and not data["notes"]
+    assert len(array(data["times"])) <= LIMITS.max_samples and not data["notes"]
     stepped = replace(exact, source=FreeRigidBody((1.0, 2.0, 3.0)))
     path = write_page(stepped, tmp_path / "stepped.html")
     data = data_of(path)
     assert data["notes"][0] == "Thinned for display: every 250th of 1000000 samples."
-    assert len(array(data["times"])) == MOST and data["joined"] and path.stat().st_size < LARGEST
+    assert len(array(data["times"])) == LIMITS.max_samples and data["joined"] and path.stat().st_size < LARGEST
 
 
 def test_many_turns_of_an_exact_motion_begin_with_the_first(tmp_path):

@@ -5,7 +5,7 @@ import pytest
 
 import polhode as ph
 from polhode.bodies.surface import Surface
-from polhode.viewer.shapes import MOST_FACES, body_shape, top_shape
+from polhode.viewer.shapes import LIMITS, body_shape, top_shape
 
 THIN_STEM = 0.05
 """Relative: the drawn disk is thick enough to be seen, and its stem is drawn though it has no mass."""
@@ -54,5 +54,5 @@ def test_large_meshes_are_coarsened_and_small_ones_kept():
     assert len(small.vertices) == 30 * 19 + 2  # corners merged, and no triangle but the empty ones at the poles lost
     assert len(small.faces) == 2 * 30 * 19
     coarse, words = body_shape(None, sphere(200, 300))
-    assert len(coarse.faces) <= MOST_FACES and words == "its mesh, coarsened"
+    assert len(coarse.faces) <= LIMITS.max_faces and words == "its mesh, coarsened"
     assert np.linalg.norm(coarse.vertices, axis=1) == pytest.approx(1.0, abs=0.02)

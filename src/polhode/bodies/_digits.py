@@ -8,13 +8,22 @@ the positions that it was computed from.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 from polhode.types import Array, Float64, Real
 
 DECIMALS = range(3, 9)  # of positions, that programs print; more are as good as exact
-WHOLE = 1e-5  # of a unit of the last digit: what a float leaves of a whole number of them
+
+
+class DigitLimits(NamedTuple):
+    """A number that decides whether numbers are whole multiples of a digit."""
+
+    max_rounding: float = 1e-5  # of a unit of the last digit: what a float leaves of a whole number of them
+
+
+LIMITS = DigitLimits()
 
 
 def judge_moments(
@@ -73,6 +82,6 @@ def last_digit(positions: Real[Array, "n 3"], unit: float) -> float:
     lengths = np.asarray(positions, float) / unit
     for decimals in DECIMALS:
         scaled = lengths * 10.0**decimals
-        if (np.abs(scaled - np.rint(scaled)) <= WHOLE).all():
+        if (np.abs(scaled - np.rint(scaled)) <= LIMITS.max_rounding).all():
             return unit * 10.0**-decimals
     return 0.0

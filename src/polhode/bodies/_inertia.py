@@ -12,9 +12,19 @@ from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
 ROUNDING = 64 * np.finfo(float).eps  # what the sums behind an inertia matrix may leave, relative to its entries
-MOST_DEFECT = 1.0 / 3.0  # of I3: more than vibration does to any molecule that stays in one shape
-LARGEST = 1e150  # SI; beyond it products of two overflow, and no body is near
-TIE = 1e-9  # direction cosines closer than this are equal, so that rounding never decides between two axes
+
+
+class InertiaLimits(NamedTuple):
+    """Numbers that decide whether moments are refused and which axis comes first."""
+
+    max_inertial_defect: float = 1.0 / 3.0  # of I3: more than vibration does to any molecule that stays in one shape
+    largest: float = 1e150  # SI; beyond it products of two overflow, and no body is near
+    max_asymmetry: float = 1e-9  # of a tensor's largest entry: more was mistyped, not rounded
+    # between direction cosines that count as equal, so that rounding never decides between two axes
+    max_tie: float = 1e-9
+
+
+LIMITS = InertiaLimits()
 
 
 class MassProperties(NamedTuple):
@@ -50,7 +60,7 @@ def nearest_physical(inertia: Float64[Array, "3 3"]) -> Float64[Array, "3 3"]:
     from scipy.optimize import nnls
 
     scale = float(np.abs(inertia).max())
-    if not 0.0 < scale < LARGEST:
+    if not 0.0 < scale < LIMITS.largest:
         return inertia
     diagonal = np.diag(inertia)
     if np.array_equal(inertia, np.diag(diagonal)):
@@ -128,7 +138,7 @@ def check_moments(moments: Float64[Array, "3"], effective: bool = False) -> None
             f"the principal moments must not be negative; got ({shown}) kg m². "
             "Check signs and sizes of the products of inertia."
         )
-    if I1 + I2 < I3 * (1.0 - (MOST_DEFECT if effective else ROUNDING)):
+    if I1 + I2 < I3 * (1.0 - (LIMITS.max_inertial_defect if effective else ROUNDING)):
         rule, bodies = ("I1 + I2 ≥ 2/3 I3", "molecule") if effective else ("I1 + I2 ≥ I3", "rigid body")
         raise InvalidInput(
             f"the principal moments must satisfy {rule}; got ({shown}) kg m². No {bodies} has these; "
@@ -208,7 +218,7 @@ def _nearest_axes(space: Array) -> list[Array]:
 
 
 def _first_largest(values: Array) -> int:
-    return int(np.flatnonzero(values > values.max() - TIE)[0])
+    return int(np.flatnonzero(values > values.max() - LIMITS.max_tie)[0])
 
 
 def finite_array(name: str, value: Any, shape: tuple[int, ...]) -> Float64[np.ndarray, "..."]:

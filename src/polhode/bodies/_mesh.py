@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from polhode.bodies._inertia import MassProperties, inertia_of_second
@@ -9,7 +11,14 @@ from polhode.bodies._mesh_gate import as_mesh, check_mesh, triple_products
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
-THICKEST = 0.25  # of a mesh's size: the moments of a sheet are off by the square of that
+
+class SheetLimits(NamedTuple):
+    """A number beyond which a sheet is refused."""
+
+    max_thickness: float = 0.25  # of a mesh's size: the moments of a sheet are off by the square of that
+
+
+LIMITS = SheetLimits()
 
 
 def mass_properties(
@@ -55,9 +64,9 @@ def sheet_properties(
     vertices, faces = as_mesh(vertices, faces, least=1)
     area, center, second = area_moments(vertices[faces])
     widest = float(np.ptp(vertices[faces], axis=(0, 1)).max())
-    if thickness is not None and thickness > THICKEST * widest:
+    if thickness is not None and thickness > LIMITS.max_thickness * widest:
         raise InvalidInput(
-            f"`thickness` of a sheet must be at most {THICKEST:g} of the mesh's size, {widest:.4g} m; got "
+            f"`thickness` of a sheet must be at most {LIMITS.max_thickness:g} of the mesh's size, {widest:.4g} m; got "
             f"{thickness:g} m. Check its unit, or give the solid."
         )
     whole = float(mass if mass is not None else density * thickness * area)  # type: ignore[operator]

@@ -10,11 +10,18 @@ import numpy as np
 from polhode.errors import InvalidInput
 from polhode.types import Float64, Integer
 
-TOUCHING = 1e-6  # of the mesh's extent: contact, and what single-precision files make of it, is not a crossing
-LEAF = 150_000  # pairs of boxes compared at once; smaller sets cost calls, larger ones needless comparisons
-UNSURE = 1e-13  # of the extent, squared: rounding of products of two coordinates
-NEAR = 1e-9  # of the extent: points closer to a triangle than this are asked carefully
-SAMPLES = 64  # faces of one piece asked whether they lie inside another
+
+class CrossingLimits(NamedTuple):
+    """Numbers that decide whether faces of a mesh cross and whether a piece lies inside another."""
+
+    # of the mesh's extent: contact, and what single-precision files make of it, is not a crossing
+    contact_depth: float = 1e-6
+    winding_rounding: float = 1e-13  # of the extent, squared: rounding of products of two coordinates
+    near_triangle: float = 1e-9  # of the extent: points closer to a triangle are checked by solid angles
+    max_faces_tested: int = 64  # of one piece, for whether they lie inside another
+
+
+LIMITS = CrossingLimits()
 
 
 def find_crossing_faces(
@@ -25,7 +32,7 @@ def find_crossing_faces(
     The edge must end clearly on both sides and pass clearly through the inside, so that surfaces may touch.
     """
     used = vertices[faces]
-    clear = TOUCHING * np.ptp(used, axis=(0, 1)).max()
+    clear = LIMITS.contact_depth * np.ptp(used, axis=(0, 1)).max()
     ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     first = np.flatnonzero(ends[:, 0] < ends[:, 1])  # each edge of a closed surface once
     ends = ends[first]
@@ -44,6 +51,7 @@ def find_crossing_faces(
 
 def _find_overlaps(one: np.ndarray, other: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Yield index pairs of boxes (n, 2, 3) that overlap, some at a time, by halving both sets in space."""
+    leaf = 150_000  # pairs of boxes compared at once; smaller sets cost calls, larger ones needless comparisons
     stack = [(np.arange(len(one)), np.arange(len(other)))]
     while stack:
         i, j = stack.pop()
@@ -53,7 +61,7 @@ def _find_overlaps(one: np.ndarray, other: np.ndarray) -> Iterator[tuple[np.ndar
         j = j[((other[j, 0] <= high) & (other[j, 1] >= low)).all(axis=1)]
         if len(i) == 0 or len(j) == 0:
             continue
-        if len(i) * len(j) <= LEAF:
+        if len(i) * len(j) <= leaf:
             (a, b), (c, d) = np.moveaxis(one[i], 0, -1), np.moveaxis(other[j], 0, -1)
             near = np.ones((len(i), len(j)), dtype=bool)
             for axis in range(3):
@@ -97,7 +105,7 @@ def depths(corners: Float64[np.ndarray, "m 3 3"], pieces: list[np.ndarray]) -> I
     result = np.zeros(len(pieces), dtype=int)
     low = np.array([corners[piece].min(axis=(0, 1)) for piece in pieces])
     high = np.array([corners[piece].max(axis=(0, 1)) for piece in pieces])
-    clear = TOUCHING * (high.max(axis=0) - low.min(axis=0)).max()
+    clear = LIMITS.contact_depth * (high.max(axis=0) - low.min(axis=0)).max()
     seen: dict[int, _Seen] = {}
     for i, piece in enumerate(pieces):
         # only what reaches into another's box can lie inside it or share volume with it
@@ -115,13 +123,13 @@ def find_miscounted_face(corners: Float64[np.ndarray, "m 3 3"], pieces: list[np.
 
     Around a point of the body the whole surface winds once, around others not at all.
     """
-    places = [np.unique(np.linspace(0, len(piece) - 1, SAMPLES // 4).astype(int)) for piece in pieces]
+    places = [np.unique(np.linspace(0, len(piece) - 1, LIMITS.max_faces_tested // 4).astype(int)) for piece in pieces]
     chosen = np.concatenate([piece[place] for piece, place in zip(pieces, places, strict=True)])
     a, b, c = np.moveaxis(corners[chosen], 1, 0)
     normal = np.cross(b - a, c - a)
     area = np.linalg.norm(normal, axis=1, keepdims=True)
     size = np.ptp(corners, axis=(0, 1)).max()
-    clear = 10.0 * TOUCHING * size
+    clear = 10.0 * LIMITS.contact_depth * size
     # corners as far from every side as this; on smaller faces the shift leaves the neighbourhood of the face
     wide = area[:, 0] > clear * size
     shift = clear * normal / np.where(area > 0.0, area, 1.0)
@@ -139,7 +147,7 @@ def _lies_inside(piece: np.ndarray, other: _Seen, clear: float) -> bool:
     Faces that lie in the other surface differ in that, and decide nothing.
     """
     middles = piece.mean(axis=1)
-    chosen = np.linspace(0, len(piece) - 1, min(SAMPLES, len(piece))).astype(int)
+    chosen = np.linspace(0, len(piece) - 1, min(LIMITS.max_faces_tested, len(piece))).astype(int)
     chosen = np.unique(np.concatenate([chosen, middles.argmin(axis=0), middles.argmax(axis=0)]))
     a, b, c = np.moveaxis(piece[chosen], 1, 0)
     normal = np.cross(b - a, c - a)
@@ -173,12 +181,12 @@ def _winding_number(points: np.ndarray, triangles: _Seen) -> np.ndarray:
     corners = triangles.seen[face] - at[ray][:, None, :]
     (a, b, c), up = np.moveaxis(corners[:, :, :2], 1, 0), corners[:, :, 2]
     turns = np.stack([p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0] for p, q in ((b, c), (c, a), (a, b))], axis=1)
-    within = (turns > -UNSURE).all(axis=1) | (turns < UNSURE).all(axis=1)
+    within = (turns > -LIMITS.winding_rounding).all(axis=1) | (turns < LIMITS.winding_rounding).all(axis=1)
     ray, turns, up = ray[within], turns[within], up[within]
     # each side's turn is twice the area opposite to the third corner: its weight where the ray meets the triangle
     whole = turns.sum(axis=1)
     height = np.einsum("kn,kn->k", turns, up) / np.where(whole == 0.0, 1.0, whole)
-    unsure = (np.abs(turns) <= UNSURE).any(axis=1) | (np.abs(height) <= NEAR)
+    unsure = (np.abs(turns) <= LIMITS.winding_rounding).any(axis=1) | (np.abs(height) <= LIMITS.near_triangle)
     ways = np.where(height > 0.0, np.sign(turns[:, 0]), 0.0)
     result = np.rint(np.bincount(ray, weights=ways, minlength=len(points)))
     for k in np.unique(ray[unsure]):

@@ -13,7 +13,14 @@ import numpy as np
 
 from polhode.types import Bool, Float64, Integer
 
-SAME_ANGLE = 1e-5  # rad: coplanar faces in single precision, triangulated in different ways
+
+class EdgeLimits(NamedTuple):
+    """A number that decides whether faces at an edge are coplanar."""
+
+    max_angle: float = 1e-5  # rad: coplanar faces in single precision, triangulated in different ways
+
+
+LIMITS = EdgeLimits()
 
 
 class Edges(NamedTuple):
@@ -109,9 +116,9 @@ def _angles(vertices: np.ndarray, faces: np.ndarray, edges: Edges, half: np.ndar
 def _match_brackets(angle: np.ndarray, opens: np.ndarray) -> list[tuple[int, int]]:
     """Return which opening face goes with which closing one; at the same angle sectors end before others begin."""
     order = np.argsort(angle, kind="stable")
-    beyond = np.diff(angle[order], prepend=angle[order[0]]) > SAME_ANGLE
+    beyond = np.diff(angle[order], prepend=angle[order[0]]) > LIMITS.max_angle
     level = np.cumsum(beyond)
-    if level[-1] and angle[order[0]] + 2.0 * np.pi - angle[order[-1]] <= SAME_ANGLE:
+    if level[-1] and angle[order[0]] + 2.0 * np.pi - angle[order[-1]] <= LIMITS.max_angle:
         level[level == level[-1]] = 0  # the turn begins in the middle of a direction
     order = order[np.lexsort((opens[order], level))]
     depth = np.cumsum(np.where(opens[order], 1, -1))

@@ -7,6 +7,8 @@ may touch by a face, an edge or a corner.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from polhode.bodies._mesh_crossing import depths, find_crossing_faces, find_miscounted_face
@@ -14,9 +16,18 @@ from polhode.bodies._mesh_edges import find_edges, find_pieces
 from polhode.errors import InvalidInput
 from polhode.types import ArrayLike, Float64, Integer, Real
 
-FINEST = 1e-30  # m; fifth powers of coordinates must neither overflow nor underflow
-NO_VOLUME = 1e-12  # of the tetrahedra's own size: a flat surface leaves rounding, a foil of 1e-9 of its width far more
 ASKED = "repair = true in a spec, repair=True in Python"
+
+
+class MeshLimits(NamedTuple):
+    """Numbers that decide whether a mesh is refused."""
+
+    min_extent: float = 1e-30  # m, and its reciprocal; fifth powers of coordinates must neither overflow nor underflow
+    # of the tetrahedra's own size: a flat surface leaves rounding, a foil of 1e-9 of its width far more
+    min_relative_volume: float = 1e-12
+
+
+LIMITS = MeshLimits()
 
 
 def check_mesh(
@@ -81,7 +92,7 @@ def as_mesh(
         raise InvalidInput(f"`faces` must index the {len(vertices)} vertices from 0; got {span}.")
     if not np.isfinite(vertices).all():
         raise InvalidInput("`vertices` must be finite; got NaN or an infinity. Check the file.")
-    if not FINEST < np.abs(vertices).max() < 1.0 / FINEST:
+    if not LIMITS.min_extent < np.abs(vertices).max() < 1.0 / LIMITS.min_extent:
         size = np.abs(vertices).max()
         raise InvalidInput(f"`vertices` must lie within 1e±30 m; the largest coordinate is {size:.3g}. Check the unit.")
     return vertices, faces.astype(np.int64)
@@ -99,7 +110,7 @@ def find_volume(corners: np.ndarray) -> float:
     a, b, c = np.moveaxis(corners, 1, 0)
     sizes = np.linalg.norm(a, axis=1) * np.linalg.norm(np.cross(b - a, c - a), axis=1)
     volume = triple_products(corners).sum() / 6.0
-    return float(volume) if abs(volume) > NO_VOLUME * sizes.sum() else 0.0
+    return float(volume) if abs(volume) > LIMITS.min_relative_volume * sizes.sum() else 0.0
 
 
 def _or_repair(repaired: bool) -> str:

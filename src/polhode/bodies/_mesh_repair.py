@@ -13,10 +13,19 @@ from polhode.bodies._mesh_gate import as_mesh, find_parity, find_volume
 from polhode.errors import InvalidInput
 from polhode.types import ArrayLike, Float64, Integer, Real
 
-SMALL_HOLE = 0.05  # of the mesh's extent: what may be closed flat changes volume by less than 1e-4 of it
-MOST_EDGES = 200  # of a small hole
-ONE_LOST, TWO_LOST = 3, 4  # edges of the hole that one lost triangle leaves, or two side by side, of any size
-FLAT = 0.87  # cosine of 30°: two lost triangles lay in the plane of a neighbour; the lid of an open box did not
+
+class HoleLimits(NamedTuple):
+    """Numbers that decide which holes of a mesh are closed."""
+
+    max_width: float = 0.05  # of the mesh's extent: what may be closed flat changes volume by less than 1e-4 of it
+    max_edges: int = 200  # of a small hole
+    edges_of_one_triangle: int = 3  # a hole that one lost triangle leaves, of any size
+    edges_of_two_triangles: int = 4  # a hole that two triangles side by side leave, of any size
+    # of 30°: two lost triangles lay in the plane of a neighbour; the lid of an open box did not
+    min_flat_cosine: float = 0.87
+
+
+LIMITS = HoleLimits()
 
 
 class Repaired(NamedTuple):
@@ -128,9 +137,9 @@ def _close_holes(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, l
         width = float(np.ptp(corners, axis=0).max())
         cap = np.asarray(loop)[_span(corners)]
         neighbours = [beside[frozenset(ends)] for ends in zip(loop, np.roll(loop, -1).tolist(), strict=True)]
-        small = width <= SMALL_HOLE * extent and len(loop) <= MOST_EDGES
-        was_flat = len(loop) == TWO_LOST and _is_flat(vertices, cap, faces[neighbours])
-        if not (small or len(loop) == ONE_LOST or was_flat):
+        small = width <= LIMITS.max_width * extent and len(loop) <= LIMITS.max_edges
+        was_flat = len(loop) == LIMITS.edges_of_two_triangles and _is_flat(vertices, cap, faces[neighbours])
+        if not (small or len(loop) == LIMITS.edges_of_one_triangle or was_flat):
             continue
         added.append(cap)
         widest, longest, closed = max(widest, width), max(longest, len(loop)), closed + 1
@@ -145,7 +154,7 @@ def _is_flat(vertices: np.ndarray, cap: np.ndarray, neighbours: np.ndarray) -> b
     a, b, c = np.moveaxis(vertices[np.concatenate([cap, neighbours])], 1, 0)
     normals = np.cross(b - a, c - a)
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(float).tiny)
-    return bool((np.abs(normals[: len(cap)] @ normals[len(cap) :].T).max(axis=1) > FLAT).all())
+    return bool((np.abs(normals[: len(cap)] @ normals[len(cap) :].T).max(axis=1) > LIMITS.min_flat_cosine).all())
 
 
 def _find_loops(rim: np.ndarray) -> list[list[int]]:

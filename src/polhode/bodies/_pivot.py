@@ -14,8 +14,17 @@ from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
 STANDARD_GRAVITY = 9.80665  # m/s², by definition
-AT_PIVOT = 1e-12  # of the radius of gyration: a centre of mass nearer to the pivot is there but for rounding
 EQUAL = 1e-12  # relative: moments of a body about a point are sums with rounding
+
+
+class PivotLimits(NamedTuple):
+    """A number that decides whether a body is balanced at its pivot."""
+
+    # of the radius of gyration; a centre of mass nearer to the pivot is there but for rounding
+    min_distance: float = 1e-12
+
+
+LIMITS = PivotLimits()
 
 
 class PivotedBody(NamedTuple):
@@ -58,7 +67,7 @@ def about_pivot(body: Body, pivot: Real[ArrayLike, "3"], gravity: float = STANDA
     moments, axes = principal_axes(body.about(pivot))
     arm = (body.center_of_mass - np.asarray(pivot, dtype=float)) @ axes
     length, mass = float(np.linalg.norm(arm)), float(body.mass or 0.0)
-    if length * np.sqrt(mass) <= AT_PIVOT * np.sqrt(moments[2]):
+    if length * np.sqrt(mass) <= LIMITS.min_distance * np.sqrt(moments[2]):
         warnings.warn("the fixed point is the centre of mass: the weight has no torque, the body is free.",
                       stacklevel=3)  # fmt: skip
         return PivotedBody(moments, axes, np.zeros(3), 0.0)

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from polhode.bodies._inertia import LARGEST, MassProperties, point_inertia
+from polhode.bodies._inertia import LIMITS, MassProperties, point_inertia
 from polhode.errors import InvalidInput
 from polhode.types import ArrayLike, Real
 
@@ -24,7 +24,7 @@ def mass_properties(masses: Real[ArrayLike, "n"], positions: Real[ArrayLike, "n 
         raise InvalidInput(f"`masses` (n,) and `positions` (n, 3) must match; got {m.shape} and {r.shape}.")
     if not (np.isfinite(m).all() and np.isfinite(r).all()):
         raise InvalidInput("`masses` and `positions` must be finite; got NaN or an infinity.")
-    if np.abs(r).max() > math.sqrt(LARGEST):
+    if np.abs(r).max() > math.sqrt(LIMITS.largest):
         raise InvalidInput(f"`positions` must lie within 1e75 m; got {np.abs(r).max():.3g} m. Check the unit.")
     if not (m > 0).all():
         raise InvalidInput(f"`masses` must be positive; got {m[~(m > 0)][0]:g} kg. Check sign and units.")

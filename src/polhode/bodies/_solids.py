@@ -16,8 +16,16 @@ from polhode._base.arrays import as_float64
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, Float64
 
-SMALLEST, LARGEST = 1e-60, 1e60  # m or kg; no body is near
-MOST_CORNERS = 2000  # of an outline; its sides are compared in pairs
+
+class SolidLimits(NamedTuple):
+    """Numbers beyond which a solid is refused."""
+
+    smallest: float = 1e-60  # m or kg; no body is near
+    largest: float = 1e60  # m or kg
+    max_corners: int = 2000  # of an outline; its sides are compared in pairs
+
+
+LIMITS = SolidLimits()
 
 
 class Solid(NamedTuple):
@@ -194,11 +202,12 @@ def _thickness(thickness: Any, most: float) -> float:
 
 def _corners(outline: Any) -> Float64[Array, "n 2"]:
     corners = numbers("outline", outline)
-    if corners.ndim != 2 or corners.shape[1:] != (2,) or not 3 <= len(corners) <= MOST_CORNERS:
+    if corners.ndim != 2 or corners.shape[1:] != (2,) or not 3 <= len(corners) <= LIMITS.max_corners:
         raise InvalidInput(
-            f"`outline` must be 3 to {MOST_CORNERS} corners [x, y] in order; got an array of shape {corners.shape}."
+            f"`outline` must be 3 to {LIMITS.max_corners} corners [x, y] in order; "
+            f"got an array of shape {corners.shape}."
         )
-    if not (np.abs(corners) < LARGEST).all():
+    if not (np.abs(corners) < LIMITS.largest).all():
         raise InvalidInput("`outline` must be finite, within 1e60 m. Check its unit.")
     return corners
 
@@ -266,7 +275,7 @@ def positive(**named: Any) -> list[float]:
         array = numbers(name, value)
         if array.shape != ():
             raise InvalidInput(f"`{name}` must be one number; got {shown(value)}.")
-        if not SMALLEST < array < LARGEST:
+        if not LIMITS.smallest < array < LIMITS.largest:
             raise InvalidInput(
                 f"`{name}` must be positive and finite, within 1e±60; got {shown(value)}. "
                 "Check its unit."
@@ -280,7 +289,7 @@ def lengths(name: str, value: Any) -> Float64[Array, "3"]:
     array = numbers(name, value)
     if array.shape != (3,):
         raise InvalidInput(f"`{name}` must be three lengths; got {shown(value)}.")
-    if not ((array > SMALLEST) & (array < LARGEST)).all():
+    if not ((array > LIMITS.smallest) & (array < LIMITS.largest)).all():
         raise InvalidInput(f"`{name}` must be positive and finite, within 1e±60 m; got {shown(value)}. Check its unit.")
     return array
 

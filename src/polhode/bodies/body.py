@@ -12,7 +12,7 @@ import numpy as np
 
 from polhode._base.arrays import known_numbers_only
 from polhode.bodies._inertia import (
-    LARGEST,
+    LIMITS,
     ROUNDING,
     MassProperties,
     check_moments,
@@ -28,7 +28,6 @@ from polhode.rotation import as_matrix, from_matrix, normalize
 from polhode.types import Array, ArrayLike, Float64, Real
 
 MOMENT_TIMES_CONSTANT = 6.62607015e-34 / (8.0 * math.pi**2)  # h/8π² [kg m² Hz], h exact by definition
-SYMMETRY = 1e-9  # a matrix less symmetric than this was mistyped, not rounded
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,12 +68,13 @@ class Body:
             raise InvalidInput(f"`mass` must be positive; got {float(mass):g} kg. Check sign and units.")
         scale = np.abs(inertia).max()
         far = np.abs(center).max()
-        if max(scale, mass or 0.0) > LARGEST or far > math.sqrt(LARGEST) or 0.0 < scale < 1.0 / LARGEST:
+        largest = LIMITS.largest
+        if max(scale, mass or 0.0) > largest or far > math.sqrt(largest) or 0.0 < scale < 1.0 / largest:
             raise InvalidInput(
                 f"mass, inertia and squared distances must lie within 1e±150 in SI units; got {scale:.3g} kg m², "
                 f"centre of mass at {far:.3g} m. No body is like that; check the units."
             )
-        if np.abs(inertia - inertia.T).max() > SYMMETRY * scale:
+        if np.abs(inertia - inertia.T).max() > LIMITS.max_asymmetry * scale:
             raise InvalidInput(f"`inertia` must be symmetric; got {inertia.tolist()}. Give J_ij = J_ji.")
         inertia = 0.5 * inertia + 0.5 * inertia.T
         center.flags.writeable = inertia.flags.writeable = False

@@ -13,8 +13,6 @@ from polhode.errors import InvalidInput
 from polhode.motion.frame import BodyFrame
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
-_FINEST = 1 << 20  # cells along an edge; their number still fits into 64 bits
-_PLACES = 10**6  # along the longest edge: corners closer than that are in the same place
 _CORNERS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
 _FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
                    [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])  # fmt: skip
@@ -83,6 +81,7 @@ class Surface:
 
         Source: Rossignac & Borrel, in *Modeling in Computer Graphics* (1993) 455.
         """
+        finest = 1 << 20  # cells along an edge; their number still fits into 64 bits
         if most < 12:
             raise InvalidInput(f"`most` must be at least 12 triangles; got {most}. Fewer show no shape.")
         if len(self.faces) <= most:
@@ -90,7 +89,7 @@ class Surface:
         # fast-simplification's quadrics take a minute for a thin tube, and leave 50 % more or other shapes below 3 %
         coarse, fine = 1, 2  # cells along the longest edge
         best = _cluster_corners(self, coarse)
-        while fine < _FINEST and len((coarser := _cluster_corners(self, fine)).faces) <= most:
+        while fine < finest and len((coarser := _cluster_corners(self, fine)).faces) <= most:
             coarse, fine, best = fine, 2 * fine, coarser
         while fine - coarse > 1:
             middle = (coarse + fine) // 2
@@ -130,10 +129,11 @@ def weld_corners(surface: Surface) -> Surface:
 
 def places(vertices: Real[ArrayLike, "n 3"]) -> Integer[np.ndarray, "n"]:
     """Return numbers (n,) of corners, the same where they are in the same place, to 1e-6 of the size."""
+    cells = 10**6  # along the longest edge: corners closer than one are in one place
     vertices = np.asarray(vertices, dtype=float)
     size = np.ptp(vertices, axis=0).max() or 1.0
-    grid = np.rint((vertices - vertices.min(axis=0)) * (_PLACES / size)).astype(np.int64)
-    return np.unique(grid @ (_PLACES + 1) ** np.array([2, 1, 0]), return_inverse=True)[1]
+    grid = np.rint((vertices - vertices.min(axis=0)) * (cells / size)).astype(np.int64)
+    return np.unique(grid @ (cells + 1) ** np.array([2, 1, 0]), return_inverse=True)[1]
 
 
 def _with_one_corner_each(surface: Surface, numbers: Array) -> Surface:

@@ -9,13 +9,22 @@ import sys
 import warnings
 import zlib
 from importlib.util import find_spec
+from typing import NamedTuple
 
 COMPILER = "XLA_FLAGS"
 QUICKLY = ("--xla_backend_optimization_level=1", "--xla_cpu_parallel_codegen_split_count=1",
            "--xla_cpu_use_fusion_emitters=false")  # the functions run as fast
 TRIAL = "import jax; jax.jit(lambda x: 2.0 * x)(1.5)"
-LONGEST_TRIAL = 120.0  # s that a trial of flags may take on a machine that is busy; it takes about one
-LARGEST_FLAGS = 10_000  # bytes
+
+
+class FlagLimits(NamedTuple):
+    """Numbers beyond which flags are not tried or read."""
+
+    trial_seconds: float = 120.0  # on a machine that is busy; a trial takes about one
+    max_flag_bytes: int = 10_000  # of the file that keeps them
+
+
+LIMITS = FlagLimits()
 
 
 def compile_quickly(flags: tuple[str, ...] = QUICKLY) -> None:
@@ -40,7 +49,7 @@ def _known_flags(flags: tuple[str, ...]) -> tuple[str, ...]:
     spec = find_spec("jaxlib")
     build = zlib.crc32(f"{spec and spec.origin} {flags}".encode())
     kept = user_cache_path("polhode") / "flags" / f"{__version__}-{build:08x}"
-    if lines := (read_sealed(kept, LARGEST_FLAGS) or b"").decode().splitlines():
+    if lines := (read_sealed(kept, LIMITS.max_flag_bytes) or b"").decode().splitlines():
         return tuple(lines)
     try:
         write_sealed(kept, b"")  # whether it can be kept
@@ -55,7 +64,7 @@ def _starts_with(flags: tuple[str, ...]) -> bool:
     """Whether a process in which JAX compiles with these flags comes to its end."""
     environment = os.environ | {COMPILER: " ".join(flags), "JAX_PLATFORMS": "cpu"}
     done = subprocess.run([sys.executable, "-c", TRIAL], env=environment, capture_output=True, check=False,
-                          timeout=LONGEST_TRIAL)  # fmt: skip
+                          timeout=LIMITS.trial_seconds)  # fmt: skip
     return done.returncode == 0
 
 

@@ -98,9 +98,9 @@ def _describe_file(form: Form, content: Content) -> str:
 
 def _warn_of_long_turns(trajectory: Trajectory, form: str) -> None:
     """Warn where the body turns too far between samples for readers that interpolate."""
-    from polhode.formats.animation_keys import FARTHEST, farthest_turn
+    from polhode.formats.animation_keys import LIMITS, farthest_turn
 
-    if (turn := farthest_turn(trajectory)) > FARTHEST:
+    if (turn := farthest_turn(trajectory)) > LIMITS.max_turn:
         print(f"polhode: {form}: the body turns by up to {math.degrees(turn):.3g}° between samples; readers who "
-              f"interpolate over more than {math.degrees(FARTHEST):.0f}° go wrong. Raise `samples` under [time], or "
-              "take a shorter `until`.", file=sys.stderr)  # fmt: skip
+              f"interpolate over more than {math.degrees(LIMITS.max_turn):.0f}° go wrong. Raise `samples` under "
+              "[time], or take a shorter `until`.", file=sys.stderr)  # fmt: skip

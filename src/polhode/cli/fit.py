@@ -16,8 +16,6 @@ from polhode.cli.terminal import say_if_long
 from polhode.studies.fit import fit_files
 from polhode.studies.fit_request import FitOptions
 
-EVERY = 1_000_000  # lines, after which progress is told
-
 
 def run_fit(
     files: list[Path], free: str | None, options: FitOptions, columns: ColumnOptions, out: Path | None,
@@ -44,11 +42,12 @@ def run_fit(
 
 def _progress(path: Path) -> Callable[[int], None]:
     """Return a function that shows how far the reading of a file is; short files show nothing."""
+    interval = 1_000_000  # lines, after which progress is shown
     last = 0
 
     def tell(line: int) -> None:
         nonlocal last
-        if line - last >= EVERY:
+        if line - last >= interval:
             last = line
             print(f"{path.name}: {line} lines read", file=sys.stderr, flush=True)
 

@@ -10,12 +10,11 @@ from polhode.kinds.base import Spec, require_motion_report
 from polhode.reports.base import MotionReport, SystemReport
 from polhode.studies.naming import name_file_in_errors
 
-STILL = 20.0  # s; a run says how long it takes as soon as this is known, which with many switchings is late
-
 
 def make_report(path: Path, spec: Spec) -> SystemReport:
     """Return the report on a spec; errors name the file."""
-    with name_file_in_errors(path), say_if_long("the report is still being computed", STILL):
+    long = 20.0  # s; a run says how long it takes as soon as this is known, which with many switchings is late
+    with name_file_in_errors(path), say_if_long("the report is still being computed", long):
         return load_or_make_report(spec)
 
 

@@ -14,10 +14,18 @@ import socket
 import sys
 import threading
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, NamedTuple
 
-GRACE = 2.0  # s in which a command may end by itself
 SIGNALS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
+
+
+class StoppingLimits(NamedTuple):
+    """A number that decides when a stopped process is ended."""
+
+    grace: float = 2.0  # s in which a command may end by itself
+
+
+LIMITS = StoppingLimits()
 
 
 class Stopped(BaseException):
@@ -79,7 +87,7 @@ class _Watch:
         with self._told:  # open until nobody writes any more: a signal that is held and raised again writes twice
             while (message := self._told.recv(1)) and message[0] not in SIGNALS:
                 pass
-            if message and not self._ended.wait(GRACE):
+            if message and not self._ended.wait(LIMITS.grace):
                 _end_now(message[0])
             while message:
                 message = self._told.recv(64)

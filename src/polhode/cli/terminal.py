@@ -14,7 +14,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 HANDLER = "polhode-readable"
-SAID_FROM = 5.0  # s of a command without a word, as for motions that are integrated
 IN_ASCII = {
     "−": "-", "–": "-", "—": "-", "‘": "'", "’": "'", "“": '"', "”": '"', "…": "...", "·": "*", "×": "x",
     "°": " deg", "√": "sqrt ", "∞": "infinity", "≤": "<=", "≥": ">=", "≠": "!=", "≈": "~", "∝": "~", "±": "+-",
@@ -27,7 +26,7 @@ IN_ASCII = {
 
 
 @contextlib.contextmanager
-def say_if_long(doing: str, after: float = SAID_FROM) -> Iterator[None]:
+def say_if_long(doing: str, after: float = 5.0) -> Iterator[None]:
     """Say on standard error what a command does, once, where this takes longer than some seconds.
 
     Args:

@@ -15,8 +15,6 @@ from polhode.motion._trajectory import Trajectory
 if TYPE_CHECKING:
     from polhode.exact.lagrange_top import LagrangeMotion
 
-VIEW = (0.62, -0.62, 0.48)
-
 
 def axis_locus(shown: LagrangeMotion | Trajectory, *, axes: Any = None) -> Figure:
     """Return the path of a top's axis on the unit sphere, space axes, up on the page.
@@ -32,10 +30,11 @@ def axis_locus(shown: LagrangeMotion | Trajectory, *, axes: Any = None) -> Figur
     >>> axis_locus(LagrangeMotion((1.0, 1.0, 2.0), mgl=3.0, momentum=(1.0, 0.0, 6.0))).axes[0].get_title()[:16]
     'Path of the axis'
     """
+    direction = (0.62, -0.62, 0.48)
     top = take_top(shown)
     figure, (axes,) = style.axes_for(axes)
     draw_disk(axes)
-    frame = view_frame(VIEW)
+    frame = view_frame(direction)
     path = sample_axis(top)
     curve, limits = path.axis, path.limits
     kind = ", space axes"

@@ -13,8 +13,6 @@ from polhode.figures.free_motion import take_free_motion
 from polhode.motion._inputs import finite
 from polhode.motion._trajectory import Trajectory
 
-LONGEST = 4  # periods shown; more would only blur
-
 
 def components(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure:
     """Return components of Ω and L against time, at most the first few periods, which the figure then says.
@@ -26,14 +24,15 @@ def components(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure:
     Raises:
         InvalidInput: for the motion of anything else, or of several bodies.
     """
+    periods = 4  # shown; more would only blur
     motion, samples = take_free_motion(shown)
     figure, (upper, lower) = style.axes_for(axes, 2, height=3.4)
     whole = end = float(np.asarray(samples.times)[-1])
     start = float(np.asarray(samples.times)[0])
     period = finite(motion.period)
     if period is not None:
-        end = min(end, start + LONGEST * period)
-    words = f", the first {LONGEST} periods" if end < whole else ""
+        end = min(end, start + periods * period)
+    words = f", the first {periods} periods" if end < whole else ""
     slow = style.power_of_ten((start, end))
     times = np.linspace(start, end, 1200)
     momentum = motion.momentum(times)

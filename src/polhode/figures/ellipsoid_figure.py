@@ -25,7 +25,6 @@ from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 BODY = "#eef0f3"
-APART = 0.55  # of the longest semi-axis, heads of arrows on the motion's own polhode
 
 
 def inertia_ellipsoid(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | None:
@@ -92,9 +91,10 @@ def _axes(scene: Scene, shape: Array) -> None:
 
 def _direction(scene: Scene, curve: Array) -> None:
     """Put heads of arrows on a curve where it is seen, evenly along its length on the page."""
+    spacing = 0.55  # of the heads of arrows, in longest semi-axes
     x, y, _ = scene.project(curve)
     length = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
-    seen, count = scene.is_visible(curve), int(length[-1] / APART + 0.5)
+    seen, count = scene.is_visible(curve), int(length[-1] / spacing + 0.5)
     for part in (np.arange(count) + 0.5) / max(count, 1):
         k = int(np.searchsorted(length, part * length[-1]))
         ahead = min(len(x) - 1, int(np.searchsorted(length, part * length[-1] + 0.012)))

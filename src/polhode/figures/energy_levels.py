@@ -13,7 +13,6 @@ from polhode.figures import style
 from polhode.figures.sphere import view_frame
 from polhode.types import Array, Float64
 
-VIEW = (0.80, 0.46, 0.38)
 MARKS = {"stable": ("o", style.GREEN), "unstable": ("X", style.VERMILION), "undecided": ("s", style.UNDECIDED)}
 
 
@@ -67,4 +66,5 @@ def draw_legend(axes: Any, lines: Sequence[tuple[str, str, float]], verdicts: Se
 
 def default_frame() -> Float64[np.ndarray, "3 3"]:
     """Return the frame of the usual view."""
-    return view_frame(VIEW)
+    direction = (0.80, 0.46, 0.38)
+    return view_frame(direction)

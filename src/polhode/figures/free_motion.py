@@ -9,8 +9,6 @@ from polhode.errors import shown as in_words
 from polhode.exact.free_body import FreeMotion
 from polhode.motion._trajectory import Trajectory
 
-COUNT, SAMPLES = 3, 1000  # periods of a motion that is drawn, and samples of them
-
 
 def take_free_motion(shown: Trajectory | FreeMotion) -> tuple[FreeMotion, Trajectory]:
     """Return the exact motion of one free body, and its samples, both along the principal axes.
@@ -37,6 +35,7 @@ def take_free_motion(shown: Trajectory | FreeMotion) -> tuple[FreeMotion, Trajec
 
 
 def _sample(motion: FreeMotion) -> Trajectory:
+    periods, samples = 3, 1000
     if motion.batch_shape:
         raise InvalidInput(f"the figure is of one body; got a batch of shape {motion.batch_shape}. Take one of it.")
-    return motion.sample(float(motion.epoch) + np.linspace(0.0, COUNT * motion.cycle, SAMPLES))
+    return motion.sample(float(motion.epoch) + np.linspace(0.0, periods * motion.cycle, samples))

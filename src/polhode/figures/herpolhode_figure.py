@@ -15,10 +15,6 @@ from polhode.motion._inputs import finite
 from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
-PERIODS, TURNS = 6, 24  # drawn at most
-SAMPLES_PER_TURN = 120
-SAME = 2e-3  # of the outer radius: circles closer than this are one line in print
-
 
 def herpolhode(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | None:
     """Return the herpolhode between its two circles; None where the contact point stays or there is no motion.
@@ -30,6 +26,7 @@ def herpolhode(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | 
     Raises:
         InvalidInput: for the motion of anything else, or of several bodies.
     """
+    line_width = 2e-3  # of the outer radius: circles closer than this are one line in print
     motion, samples = take_free_motion(shown)
     limits = poinsot.herpolhode(motion)
     if limits is None or limits.outer_radius <= 1e-12 * limits.plane_distance:
@@ -41,7 +38,7 @@ def herpolhode(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | 
     figure, (axes,) = style.axes_for(axes, height=3.9)
     circle = np.linspace(0.0, 2.0 * np.pi, 400)
     # where both limits are the curve itself, they would only hide it
-    distinct = limits.outer_radius - limits.inner_radius > SAME * limits.outer_radius
+    distinct = limits.outer_radius - limits.inner_radius > line_width * limits.outer_radius
     for radius in () if not distinct else {limits.inner_radius / 10.0**power, outer}:
         axes.plot(radius * np.cos(circle), radius * np.sin(circle), color=style.VERMILION, lw=0.7, ls="--", zorder=1,
                   label="its limits" if radius == outer else None)  # fmt: skip
@@ -66,9 +63,12 @@ def herpolhode(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | 
 
 def _times(motion: FreeMotion, samples: Trajectory) -> Array:
     """Return times that follow every turn of the contact point, which the samples need not."""
+    most_periods, most_turns = 6, 24  # drawn at most
+    per_turn = 120
     times, period = np.asarray(samples.times), finite(motion.period)
     fastest = float(np.linalg.norm(np.asarray(samples.angular_velocity), axis=-1).max())
     fastest += 2.0 * np.pi / period if period is not None else 0.0
-    span = min(float(np.ptp(times)), 2.0 * np.pi * TURNS / fastest, PERIODS * period if period is not None else np.inf)
-    count = int(np.ceil(span * fastest / (2.0 * np.pi) * SAMPLES_PER_TURN)) + 2
+    repeats = most_periods * period if period is not None else np.inf
+    span = min(float(np.ptp(times)), 2.0 * np.pi * most_turns / fastest, repeats)
+    count = int(np.ceil(span * fastest / (2.0 * np.pi) * per_turn)) + 2
     return np.linspace(times[0], times[0] + span, count)

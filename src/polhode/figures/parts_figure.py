@@ -14,10 +14,8 @@ from polhode.motion._trajectory import Trajectory
 from polhode.reports.wording import unit_in_words
 from polhode.types import Array
 
-MOST = 8  # components drawn of one part; more curves cannot be told apart
 FORMS = ("-", "--", "-.", ":")
 COLOURS = (style.BLUE, style.ORANGE, style.GREEN, style.VERMILION, style.SKY, style.PURPLE, style.DARK, style.GREY)
-HEIGHT = 1.45  # inches of each part
 
 
 def parts(trajectory: Trajectory, *, axes: Any = None) -> Figure:
@@ -35,6 +33,8 @@ def parts(trajectory: Trajectory, *, axes: Any = None) -> Figure:
     >>> [panel.get_ylabel() for panel in parts(motion).axes]
     ['attitude', 'momentum\\n[kg m²/s, body]']
     """
+    most = 8  # components drawn of one part; more curves would be confused
+    part_height = 1.45  # inches
     if not isinstance(trajectory, Trajectory):
         raise InvalidInput(f"the figure is of a trajectory; got {shown(trajectory)}. Sample a motion for it.")
     if trajectory.batch_shape or not len(trajectory):
@@ -43,12 +43,12 @@ def parts(trajectory: Trajectory, *, axes: Any = None) -> Figure:
             f"shape {trajectory.batch_shape}. Take one of it, and give it times."
         )
     columns = _columns(trajectory)
-    figure, panels = style.axes_for(axes, len(columns), height=max(2.2, 0.6 + HEIGHT * len(columns)))
+    figure, panels = style.axes_for(axes, len(columns), height=max(2.2, 0.6 + part_height * len(columns)))
     times = np.asarray(trajectory.times)
     slow = style.power_of_ten((times[0], times[-1]))
     for panel, (part, values) in zip(panels, columns, strict=True):
         power = style.power_of_ten(values)
-        count = min(values.shape[1], MOST)
+        count = min(values.shape[1], most)
         for k in range(count):
             panel.plot(times / 10.0**slow, values[:, k] / 10.0**power, color=COLOURS[k], lw=1.0, ls=FORMS[k % 4],
                        marker="o" if len(times) == 1 else None, ms=3, label=_label(part, k))  # fmt: skip

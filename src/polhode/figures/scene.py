@@ -16,15 +16,9 @@ from polhode.bodies.surface import Surface, places
 from polhode.figures import style
 from polhode.types import Array, ArrayLike, Bool, Float64, Integer, Real
 
-PIXELS = 720  # of the image's longer side, each the mean of four
-MOST_FACES = 12_000  # drawn; finer surfaces are coarsened first
 CREASE = np.cos(np.radians(40.0))  # edges sharper than this stay sharp
 LIGHT = np.array([-0.45, 0.62, 0.64])  # right, up, towards the viewer
-AMBIENT = 0.62  # brightness of what no light falls on
-NEAR = 0.012  # of the window: a curve so close before a surface lies on it
-DIM = 0.25
 UNSEEN = -np.inf
-AT_ONCE = 300_000  # pixels of the boxes round triangles, so that their arrays stay in the processor's cache
 
 
 class Scene:
@@ -44,10 +38,11 @@ class Scene:
         window: tuple[float, float, float, float],
         eye: float | None = None,
     ) -> None:
+        pixels = 720  # of the image's longer side, each the mean of four
         left, right, bottom, top = window
         self.axes, self.frame, self.window, self.eye = axes, frame, window, eye
         self.size = max(right - left, top - bottom)
-        self.pixel = self.size / (2 * PIXELS)
+        self.pixel = self.size / (2 * pixels)
         shape = (2 * int(np.ceil((top - bottom) / self.pixel / 2)), 2 * int(np.ceil((right - left) / self.pixel / 2)))
         self.depth = np.full(shape, UNSEEN)
         self.colour = np.zeros((*shape, 4))
@@ -67,9 +62,11 @@ class Scene:
         scale = self.eye / (self.eye - depth)
         return x * scale, y * scale, scale * self.eye
 
-    def solid(self, surface: Surface, colour: str, ambient: float = AMBIENT) -> None:
+    def solid(self, surface: Surface, colour: str, ambient: float = 0.62) -> None:
         """Add a surface, shaded down to this brightness."""
-        shown = surface.coarsened(MOST_FACES)
+        most_faces = 12_000  # drawn; finer surfaces are coarsened first
+        at_once = 300_000  # pixels of the boxes round triangles, so that their arrays stay in the processor's cache
+        shown = surface.coarsened(most_faces)
         vertices, faces = np.asarray(shown.vertices), np.asarray(shown.faces)
         x, y, depth = self.project(vertices)
         left, _, bottom, _ = self.window
@@ -88,7 +85,7 @@ class Scene:
         self._covered[0] = np.minimum(self._covered[0], lowest.min(axis=0)[::-1])
         self._covered[1] = np.maximum(self._covered[1], highest.max(axis=0)[::-1])
         pixels = np.cumsum((highest - lowest).prod(axis=-1))
-        for part in np.split(np.arange(len(pixels)), np.flatnonzero(np.diff(pixels // AT_ONCE)) + 1):
+        for part in np.split(np.arange(len(pixels)), np.flatnonzero(np.diff(pixels // at_once)) + 1):
             which = np.flatnonzero(drawn)[part]
             rows = _rows(corners[which], lowest[part], highest[part])
             self._fill(corners[which], area[which], shades[which], rgb, rows)
@@ -156,11 +153,12 @@ class Scene:
 
     def is_visible(self, points: Real[ArrayLike, "*shape 3"]) -> Bool[Array, "*shape"]:
         """Return which points (…, 3) no solid hides."""
+        near = 0.012  # of the window: a curve so close before a surface lies on it
         x, y, depth = self.project(points)
         rows, columns = self.depth.shape
         j = np.clip(((x - self.window[0]) / self.pixel).astype(int), 0, columns - 1)
         i = np.clip(((y - self.window[2]) / self.pixel).astype(int), 0, rows - 1)
-        return depth >= self.depth[i, j] - NEAR * self.size
+        return depth >= self.depth[i, j] - near * self.size
 
     def line(
         self,
@@ -169,7 +167,7 @@ class Scene:
         width: float,
         *,
         form: Any = "-",
-        dim: float = DIM,
+        dim: float = 0.25,
         over: float = 3.0,
     ) -> None:
         """Draw a curve (T, 3), dimmed where it is hidden."""

@@ -16,8 +16,6 @@ from polhode.motion._inputs import finite
 from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
-VIEW = (0.80, 0.46, 0.38)
-
 
 def momentum_sphere(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | None:
     """Return the sphere |L| = const seen obliquely, far side dimmed; axes are the principal ones. None at rest.
@@ -33,6 +31,7 @@ def momentum_sphere(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figu
     >>> momentum_sphere(FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))).axes[0].get_title()
     'Momentum sphere, body axes'
     """
+    direction = (0.80, 0.46, 0.38)
     motion, samples = take_free_motion(shown)
     norm = motion.momentum_norm
     if not norm:
@@ -40,7 +39,7 @@ def momentum_sphere(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figu
     figure, (axes,) = style.axes_for(axes)
     draw_disk(axes)
     moments = np.asarray(motion.moments)
-    frame = view_frame(VIEW)
+    frame = view_frame(direction)
     family = polhode_family(moments)
     for curve in family:
         draw_curve(axes, frame, curve, style.GREY, 0.5)

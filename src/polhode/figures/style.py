@@ -29,8 +29,6 @@ HERPOLHODE, BODY_CONE = ROLES["herpolhode"], ROLES["bodyCone"]
 ENSEMBLE, CLASSICAL = ROLES["ensemble"], ROLES["classical"]
 GREY, LIGHT, DARK = "#6f6f6f", "#c8c8c8", "#222222"
 FONT = 8
-LOST, TOO_SMALL = 0.03, 1e-12  # of the largest: curves between are enlarged, those below are rounding
-CONSTANT = 1e-9  # of a curve's size: what varies by less is constant, by rounding and its growth
 
 
 class Picture(Figure):
@@ -108,11 +106,12 @@ def factor(power: int) -> str:
     return f"10$^{{{power}}}$ " if power else ""
 
 
-def magnifications(series: Any, lost: float = LOST) -> list[int]:
+def magnifications(series: Any, lost: float = 0.03) -> list[int]:
     """Return the powers of ten by which columns of (T, n), smaller than ``lost`` of the largest, are enlarged."""
+    rounding = 1e-12  # of the largest: smaller curves are rounding
     sizes = np.abs(np.asarray(series)).max(axis=0)
     largest = float(sizes.max())
-    return [int(np.floor(np.log10(largest / x))) if largest * TOO_SMALL < x < lost * largest else 0 for x in sizes]
+    return [int(np.floor(np.log10(largest / x))) if largest * rounding < x < lost * largest else 0 for x in sizes]
 
 
 def magnify(name: str, power: int) -> str:
@@ -136,6 +135,7 @@ def tidy(axes: Any) -> None:
 
 def show_constant(axes: Any, values: Any, around: float) -> None:
     """Give a curve that is constant but for rounding a range, so that rounding does not fill the axes."""
+    constant = 1e-9  # of a curve's size: what varies by less is constant, by rounding and its growth
     low, high = float(np.min(values)), float(np.max(values))
-    if high - low <= CONSTANT * max(abs(low), abs(high)):
+    if high - low <= constant * max(abs(low), abs(high)):
         axes.set_ylim(low - around, high + around)

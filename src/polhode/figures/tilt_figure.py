@@ -15,11 +15,6 @@ from polhode.motion._trajectory import Trajectory
 if TYPE_CHECKING:
     from polhode.exact.lagrange_top import LagrangeMotion
 
-LOST = 0.1  # of the largest rate: curves smaller than this are enlarged, their fast swings being a band else
-EVEN = 0.5  # degrees on either side of a tilt that is constant
-TURNS = 30  # of the body about its axis shown at most, so that each swing of Ω can be seen, but one nutation at least
-PERIODS, MANY = 6, 12  # nutations shown at most; swings of any top beyond which not all are shown
-
 
 def top_motion(shown: LagrangeMotion | Trajectory, *, axes: Any = None) -> Figure:
     """Return a top's tilt and the components of its Ω along the principal axes against time.
@@ -31,14 +26,16 @@ def top_motion(shown: LagrangeMotion | Trajectory, *, axes: Any = None) -> Figur
     Raises:
         InvalidInput: for the motion of anything else, or of several tops.
     """
+    lost = 0.1  # of the largest rate: curves smaller than this are enlarged, their fast swings being a band else
+    even = 0.5  # degrees on either side of a tilt that is constant
     times, tilt, velocity, words = _series(take_top(shown))
     figure, (upper, lower) = style.axes_for(axes, 2, height=3.4)
     slow = style.power_of_ten((times[0], times[-1]))
     upper.plot(times / 10.0**slow, np.degrees(tilt), color=style.DARK, lw=1.1)
-    style.show_constant(upper, np.degrees(tilt), EVEN)
+    style.show_constant(upper, np.degrees(tilt), even)
     upper.set_ylabel("tilt of the axis  [°]")
     power = style.power_of_ten(velocity)
-    larger = style.magnifications(velocity, LOST)
+    larger = style.magnifications(velocity, lost)
     for k in range(3):
         lower.plot(times / 10.0**slow, velocity[:, k] * 10.0 ** (larger[k] - power), color=style.AXIS_COLOURS[k],
                    lw=1.0, ls=("-", "--", "-.")[k], label=style.magnify(f"axis {k + 1}", larger[k]))  # fmt: skip
@@ -52,13 +49,17 @@ def top_motion(shown: LagrangeMotion | Trajectory, *, axes: Any = None) -> Figur
 
 
 def _series(top: TopShown) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]:
+    # of the body about its axis shown at most, so that each swing of Ω can be seen, but one nutation at least
+    most_turns = 30
+    most_periods = 6  # nutations or swings shown where there are more
+    all_swings = 12  # up to which all swings are shown
     times = np.asarray(top.trajectory.times)
     exact = top.exact
     if exact is not None:
         period = finite(exact.nutation_period)
         end, words = times[-1], ""
         turns = abs(finite(exact.spin_per_period) or 0.0) / (2.0 * np.pi)
-        count = int(np.clip(TURNS / turns, 1, PERIODS)) if turns else PERIODS
+        count = int(np.clip(most_turns / turns, 1, most_periods)) if turns else most_periods
         if period is not None and times[-1] - times[0] > count * period:
             end = times[0] + count * period
             nutations = f"first {count} nutations" if count > 1 else "first nutation"
@@ -70,5 +71,7 @@ def _series(top: TopShown) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]:
     axis = top.axis_in_space
     tilt = np.arctan2(np.hypot(axis[:, 0], axis[:, 1]), axis[:, 2])
     highest = np.flatnonzero((tilt[1:-1] > tilt[:-2]) & (tilt[1:-1] >= tilt[2:])) + 1
-    end, words = (len(times), "") if len(highest) <= MANY else (int(highest[PERIODS]) + 1, f", first {PERIODS} swings")
+    end, words = len(times), ""
+    if len(highest) > all_swings:
+        end, words = int(highest[most_periods]) + 1, f", first {most_periods} swings"
     return times[:end], tilt[:end], np.asarray(top.trajectory.angular_velocity)[:end], words

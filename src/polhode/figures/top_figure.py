@@ -25,9 +25,6 @@ TURNED = np.radians(20.0)  # of the lean, from across the line of sight towards 
 BEYOND = 1.22  # length of the axis drawn, in the body's reach
 L_LONG, OMEGA_LONG = 1.5, 1.38  # arrows, in the body's reach
 STEADY = np.radians(1.0)  # nutation below which the cones of Ω are those of steady precession
-SLANT = 0.95  # of these cones
-TOY = ((0.0, 0.0), (0.08, 0.1), (0.5, 0.52), (0.5, 0.62), (0.07, 0.7), (0.06, 1.0), (0.0, 1.0))  # radius, height
-TOY_CENTER = 0.52
 WOOD, STAND = "#d9c9a8", "#b4b4b4"
 
 
@@ -84,14 +81,17 @@ def spinning_top(
 
 def _solid(top: TopShown, surface: Surface | None) -> tuple[Surface, float, str]:
     """Return the surface, along the principal axes, the distance of its centre of mass, and words for the title."""
+    # radius, height
+    profile = ((0.0, 0.0), (0.08, 0.1), (0.5, 0.52), (0.5, 0.62), (0.07, 0.7), (0.06, 1.0), (0.0, 1.0))
+    center = 0.52
     frame = top.trajectory.frame
     if frame is not None and (solid := surface or box_in_place(frame)) is not None:
         return solid.along(frame), float(np.linalg.norm(np.asarray(frame.center_of_mass) - frame.origin)), ""
     if surface is not None:
         return surface, 0.5 * float(np.linalg.norm(np.asarray(surface.vertices), axis=-1).max()), ""
-    toy = revolve(TOY)
+    toy = revolve(profile)
     upright = rotation.shortest_between(np.array([0.0, 0.0, 1.0]), top.axis)
-    return Surface(rotation.rotate(upright, toy.vertices), toy.faces), TOY_CENTER, "; its shape is not known"
+    return Surface(rotation.rotate(upright, toy.vertices), toy.faces), center, "; its shape is not known"
 
 
 def _turn_surface(surface: Surface, attitude: Array) -> Surface:
@@ -125,6 +125,7 @@ def _draw_ground(scene: Scene, height: float) -> None:
 
 def _cones(scene: Scene, path: Followed, k: int) -> list[Any]:
     """Draw the cones and return their handles."""
+    slant = 0.95  # of these cones
     up, axis = np.array([0.0, 0.0, 1.0]), path.axis[k]
     tilts, steady = _tilts(path), _is_steady(path)
     limits = [float(tilts.mean())] if steady else [float(tilts.min()), float(tilts.max())]
@@ -140,7 +141,7 @@ def _cones(scene: Scene, path: Followed, k: int) -> list[Any]:
         for about, colour, words in ((up, style.HERPOLHODE, "space cone of Ω"),
                                      (axis, style.BODY_CONE, "body cone of Ω")):  # fmt: skip
             half = float(np.arctan2(np.linalg.norm(np.cross(about, omega)), about @ omega))
-            draw_cone(scene, about, half, SLANT, colour)
+            draw_cone(scene, about, half, slant, colour)
             handles.append(scene.axes.plot([], [], color=colour, lw=0.9, label=words)[0])
     return handles
 

@@ -29,7 +29,7 @@ from polhode.reports.answer import Group, Table
 from polhode.reports.base import MotionReport, SystemReport
 from polhode.spec.building import build_coning, build_spin
 from polhode.spec.models import BodyTable, SpinTable, SystemTable
-from polhode.spec.reach import REACH, most_extreme
+from polhode.spec.reach import LIMITS, most_extreme
 from polhode.spec.remarks import remarks_on
 from polhode.spec.rules import Mistake
 from polhode.types import Array, Float64
@@ -124,7 +124,7 @@ class AbstractKind(abc.ABC, Generic[TableT]):
     has_motion: ClassVar[bool] = True
     has_attitude: ClassVar[bool] = True
     is_default: ClassVar[bool] = False
-    reach: ClassVar[float] = REACH
+    reach: ClassVar[float] = LIMITS.largest
 
     def __reduce__(self) -> tuple[Callable[[str], AbstractKind], tuple[str]]:
         """Pickle a kind by its module: there is one object of each."""

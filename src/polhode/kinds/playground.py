@@ -16,7 +16,6 @@ from polhode.reports.base import SystemReport
 from polhode.viewer.page import Page, make_playground
 
 SAMPLED = ("attitude", "momentum", "velocity", "energy")
-SAMPLES = 600  # of motions that the page cannot solve itself
 
 
 def write_playground(
@@ -44,11 +43,12 @@ def presets() -> list[dict[str, Any]]:
 def _preset(
     words: dict[str, Any], examples: dict[str, Path], report_of: Callable[[Path, Spec], SystemReport] | None
 ) -> tuple[Page, dict[str, Any]]:
+    samples = 600  # of motions that the page cannot solve itself
     path = examples[words["example"]]
     spec = read_spec(path)
-    spec = spec if spec.kind.in_closed_form else replace(spec, samples=min(spec.samples, SAMPLES))
+    spec = spec if spec.kind.in_closed_form else replace(spec, samples=min(spec.samples, samples))
     if "until" in words:
-        spec = replace(spec, until=float(words["until"]), samples=SAMPLES)
+        spec = replace(spec, until=float(words["until"]), samples=samples)
     report = spec.report() if report_of is None else report_of(path, spec)
     page = page_of_answers(report, report.name, spec.picture)
     if page.data["model"] is not None:  # the page solves it from the start, at any time, and needs no samples of it

@@ -13,7 +13,15 @@ from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
 PRINCIPAL, GIVEN = "principal", "given"
-PROPER = 1e-9  # how far columns may be from orthonormal
+
+
+class AxesLimits(NamedTuple):
+    """A number beyond which axes are refused."""
+
+    max_error: float = 1e-9  # of columns from orthonormal
+
+
+LIMITS = AxesLimits()
 
 
 class Turn(NamedTuple):
@@ -119,5 +127,6 @@ def shared_axes(axes: Float64[Array, "..."] | None) -> Float64[Array, "3 3"] | N
 
 
 def _is_rotation(matrix: Array) -> bool:
-    finite = bool(np.isfinite(matrix).all())
-    return finite and bool(np.abs(matrix.T @ matrix - np.eye(3)).max() < PROPER) and float(np.linalg.det(matrix)) > 0.0
+    if not np.isfinite(matrix).all():
+        return False
+    return bool(np.abs(matrix.T @ matrix - np.eye(3)).max() < LIMITS.max_error) and float(np.linalg.det(matrix)) > 0.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -14,8 +14,16 @@ from polhode.errors import InvalidInput, shown
 from polhode.rotation import UNIT_TOLERANCE
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, FloatOrArray, Integer, Real, Shaped
 
-SYMMETRY = 1e-9  # of a matrix, relative: an inertia tensor that was typed in or computed
 MOST_RADIANS = 1e27  # of a phase, which has 104 bits
+
+
+class InputLimits(NamedTuple):
+    """A number beyond which an inertia tensor is refused."""
+
+    max_asymmetry: float = 1e-9  # of a matrix, relative: an inertia tensor that was typed in or computed
+
+
+LIMITS = InputLimits()
 
 
 class cached_unless_traced(cached_property):
@@ -66,7 +74,7 @@ def refuse_tensor(moments: Float64[Array, "..."], vector: Float64[Array, "..."])
     if tuple(moments.shape) != (3, 3) or vector.ndim != 1 or is_traced(moments):
         return
     matrix = np.asarray(moments)
-    if not np.isfinite(matrix).all() or np.abs(matrix - matrix.T).max() > SYMMETRY * np.abs(matrix).max():
+    if not np.isfinite(matrix).all() or np.abs(matrix - matrix.T).max() > LIMITS.max_asymmetry * np.abs(matrix).max():
         return
     if np.linalg.eigvalsh(matrix)[0] > 0.0:
         raise InvalidInput(
@@ -206,8 +214,8 @@ def refuse_overflow(
         lost = bool(xp.any(xp.abs(t) * fastest > MOST_RADIANS))
     if lost or not all_finite(attitude[..., 0]):
         raise InvalidInput(
-            f"`t` times the rate of rotation must be at most {MOST_RADIANS:.0e} rad, beyond which a phase has hardly a "
-            f"digit left; got times up to {float(xp.max(xp.abs(t))):g} s. Check times and rates."
+            f"`t` times the rate of rotation must be at most {MOST_RADIANS:.0e} rad, beyond which a phase has "
+            f"hardly a digit left; got times up to {float(xp.max(xp.abs(t))):g} s. Check times and rates."
         )
 
 

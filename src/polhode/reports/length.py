@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import time
-from typing import Any
+from typing import Any, NamedTuple
 
 import jax.numpy as jnp
 import numpy as np
@@ -13,15 +13,24 @@ from polhode.errors import InvalidInput
 from polhode.integrators import _diffrax as diffrax
 from polhode.types import Array, Float64
 
-LONGEST = 600.0  # s that a run may take by these estimates
-SAID_FROM = 5.0  # s from which it is said
-WATCHED, PATIENCE = 0.5, 10.0  # s after which a run's speed is known, and after which none is ended any more
-PART, PARTS = 1.0, 2  # s: a longer part of a run is assumed to include compiling, at most so many times
 RUNS = 5.0  # what a run and those that tell its error take, in times of the run itself: 3.5 to 5.5 were measured
 RUNS_BY_EQUAL_STEPS = 2.5  # the same where steps are equal: the others take steps twice as long
-UNCOUNTED = 1e15  # steps, beyond which nobody needs to know how many
 FEWER = "Check the units, or give a shorter `until` under [time]."
-DURATIONS = ((60.0, "s"), (60.0, "min"), (24.0, "h"), (365.25, "days"))
+
+
+class LengthLimits(NamedTuple):
+    """Numbers that decide whether a run is announced as long, or ended."""
+
+    max_seconds: float = 600.0  # that a run may take by these estimates
+    long_seconds: float = 5.0  # from which a run is announced
+    watched_seconds: float = 0.5  # after which a run's speed is measured
+    patience_seconds: float = 10.0  # after which no announced run is ended any more
+    compiling_seconds: float = 1.0  # a longer part of a run is assumed to include compiling
+    max_compilings: int = 2  # in one run
+    max_steps_counted: float = 1e15  # beyond which nobody needs the number
+
+
+LIMITS = LengthLimits()
 
 
 class Watch:
@@ -59,20 +68,21 @@ class Watch:
         """
         now, share = time.process_time(), float(share)
         # what was traced and compiled before says nothing about what follows
-        compiled = self._begun is not None and now - self._latest > PART and self._compiled < PARTS
+        slow = self._begun is not None and now - self._latest > LIMITS.compiling_seconds
+        compiled = slow and self._compiled < LIMITS.max_compilings
         self._compiled, self._latest = self._compiled + compiled, now
         if self._begun is None or compiled:
             self._begun = now, share
         elapsed, done = now - self._begun[0], share - self._begun[1]
-        if elapsed >= WATCHED and not (self._said and elapsed > PATIENCE):
-            seconds = self._runs * elapsed * (1.0 - self._begun[1]) / max(done, 1.0 / UNCOUNTED)
-            if seconds * min(elapsed, PATIENCE) > LONGEST * PATIENCE:
+        if elapsed >= LIMITS.watched_seconds and not (self._said and elapsed > LIMITS.patience_seconds):
+            seconds = self._runs * elapsed * (1.0 - self._begun[1]) / max(done, 1.0 / LIMITS.max_steps_counted)
+            if seconds * min(elapsed, LIMITS.patience_seconds) > LIMITS.max_seconds * LIMITS.patience_seconds:
                 raise InvalidInput(
                     f"{self._named} would take about {duration(seconds)}; at most some ten minutes are taken here. "
                     f"{FEWER}{self._remedy}"
                 )
             # a run that may yet be refused is not announced: two lines that contradict each other help nobody
-            if SAID_FROM < seconds <= LONGEST and not self._said:
+            if LIMITS.long_seconds < seconds <= LIMITS.max_seconds and not self._said:
                 shown = self._say(seconds)
         return self._bar and self._bar.step(shown, jnp.asarray(share))
 
@@ -109,18 +119,19 @@ def check_length(
     """
     steps, span = max(steps, float(len(times))), float(np.ptp(times))
     seconds = steps * each
-    if not seconds <= LONGEST:
+    if not seconds <= LIMITS.max_seconds:
         which = "" if until is not None else ", the usual one,"
         other = f" {remedy}" if remedy else ""
-        more = "about" if steps < UNCOUNTED else "more than"
-        steps = steps if steps < UNCOUNTED else UNCOUNTED  # numbers of steps that overflow too
+        more = "about" if steps < LIMITS.max_steps_counted else "more than"
+        # numbers of steps that overflow too
+        steps = steps if steps < LIMITS.max_steps_counted else LIMITS.max_steps_counted
         raise InvalidInput(
             f"`time.until` of {span:g} s{which} would take {more} {steps:.1e} steps, {more} {duration(steps * each)}; "
-            f"at most {LONGEST / each:.0e} steps are taken here, some ten minutes. {FEWER}{other}"
+            f"at most {LIMITS.max_seconds / each:.0e} steps are taken here, some ten minutes. {FEWER}{other}"
         )
-    if seconds > SAID_FROM:
+    if seconds > LIMITS.long_seconds:
         _say(f"about {steps:.1e} steps, up to {duration(seconds)}")
-    return seconds > SAID_FROM and sys.stderr.isatty()
+    return seconds > LIMITS.long_seconds and sys.stderr.isatty()
 
 
 def duration(seconds: float) -> str:
@@ -129,7 +140,8 @@ def duration(seconds: float) -> str:
     >>> duration(40.0), duration(1234.0), duration(4e9)
     ('40 s', '21 min', '130 years')
     """
-    for size, unit in DURATIONS:
+    units = ((60.0, "s"), (60.0, "min"), (24.0, "h"), (365.25, "days"))
+    for size, unit in units:
         if seconds < 2.0 * size:
             return f"{_round(seconds)} {unit}"
         seconds /= size

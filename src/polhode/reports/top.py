@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -39,9 +39,14 @@ from polhode.types import Array, ArrayLike, Float64, Real
 if TYPE_CHECKING:
     from polhode.exact.lagrange_top import LagrangeMotion
 
-PERIODS = 10
-LARGEST = 1e200  # J
-AT_REST = 0.1  # s, of a body that nothing moves
+
+class TopLimits(NamedTuple):
+    """A number beyond which the spin of a top is refused."""
+
+    max_energy: float = 1e200  # J
+
+
+LIMITS = TopLimits()
 
 
 @dataclass(frozen=True)
@@ -270,9 +275,9 @@ def _bearable(top: HeavyTop, momentum: Float64[Array, "3"]) -> Float64[Array, "3
     """Return the momentum (3,) of a top, unless squares of it leave the range of numbers."""
     with np.errstate(over="ignore"):
         energy = float(np.sum(momentum / np.sqrt(top.moments) * (momentum / np.sqrt(top.moments))))
-    if not energy < LARGEST:
-        raise InvalidInput(f"the spin must give an energy below {LARGEST:g} J; its momentum is {momentum.tolist()} "
-                           "kg m²/s. Check the rate and its unit.")  # fmt: skip
+    if not energy < LIMITS.max_energy:
+        raise InvalidInput(f"the spin must give an energy below {LIMITS.max_energy:g} J; its momentum is "
+                           f"{momentum.tolist()} kg m²/s. Check the rate and its unit.")  # fmt: skip
     return momentum
 
 
@@ -289,4 +294,6 @@ def usual_times(
     span: float | None, top: HeavyTop, momentum: Float64[Array, "3"], samples: int
 ) -> Float64[Array, "{samples}"]:
     """Return times (T,) over ten spans [s]; over ten swings or turns where no span is given."""
-    return np.linspace(0.0, PERIODS * (span or top_period(top, momentum) or AT_REST), samples)
+    periods = 10
+    at_rest = 0.1  # s, of a body that nothing moves
+    return np.linspace(0.0, periods * (span or top_period(top, momentum) or at_rest), samples)

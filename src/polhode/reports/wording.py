@@ -6,21 +6,29 @@ import math
 import re
 from collections.abc import Callable
 from decimal import Context, Decimal
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 MINUTE, HOUR, DAY, YEAR = 60.0, 3600.0, 86400.0, 365.25 * 86400.0
 LONG = ((2.0 * YEAR, YEAR, "a"), (2.0 * DAY, DAY, "d"), (2.0 * HOUR, HOUR, "h"), (2.0 * MINUTE, MINUTE, "min"))
 """Least time [s] that is read in a unit, the unit [s], and its name; a year is Julian."""
-SHORT = 1e-2  # s; shorter times are read in ms, µs …
 PREFIXES = {1e-3: "m", 1e-6: "µ", 1e-9: "n", 1e-12: "p", 1e-15: "f"}
 LARGE_PREFIXES = {1e15: "P", 1e12: "T", 1e9: "G", 1e6: "M", 1e3: "k"}
 ARCSECONDS = math.radians(0.01)  # angles below it are read in them
-SLOW, FAST = 1e-4, 1e5  # rad/s; slower ones are read in degrees a day, faster ones in turns a second
-ROUGH = 2  # digits of an estimate whose error is not known
 KEPT = {"momentum_norm": "|L|", "momentum_space": "L in space"}
 RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+class UnitLimits(NamedTuple):
+    """Numbers that decide in which unit times and rates are printed."""
+
+    short: float = 1e-2  # s; shorter times are read in ms, µs …
+    slow: float = 1e-4  # rad/s; slower rates are read in degrees a day
+    fast: float = 1e5  # rad/s; faster rates are read in turns a second
+
+
+LIMITS = UnitLimits()
 
 
 def number(value: float | None, unit: str = "", digits: int = 8) -> str | None:
@@ -54,8 +62,9 @@ def uncertain(value: float, error: float | None, unit: str = "", digits: int = 1
     >>> uncertain(0.35792, float("nan"))
     'about 0.36'
     """
+    rough = 2  # digits of an estimate whose error is not known
     if error is not None and math.isnan(error):
-        return f"about {value:.{ROUGH}g} {unit}".rstrip()
+        return f"about {value:.{rough}g} {unit}".rstrip()
     if error is None or not (math.isfinite(error) and error > 0.0 and math.isfinite(value)):
         return f"{value:.8g} {unit}".rstrip()
     longer, short = f"{error:.1e}", f"{error:.0e}"
@@ -84,8 +93,6 @@ def count_known_digits(value: float, error: float | None, most: int = 8) -> int:
     return min(max(math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 1, 1), most)
 
 
-UNESTIMATED = 3  # digits of a number whose error is not estimated: fewer than people would copy, enough for a picture
-WHOLE = 4  # digits up to which whole numbers in words are counts, and stay as they are
 _NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 _NUMBERS = re.compile(rf"\({_NUMBER}(?:, {_NUMBER})+\)|(?<![\w.,]){_NUMBER}(?![\w,]*\d)")
 
@@ -104,6 +111,8 @@ def round_words(words: str, error: float | None) -> str:
     >>> round_words("-1.0907448e-23 J of 1024 spins", None), round_words("1.3456 ± 0.0012 meV", None)
     ('-1.09e-23 J of 1024 spins', '1.3456 ± 0.0012 meV')
     """
+    # digits of a number whose error is not estimated: fewer than people would copy, enough for a picture
+    kept_digits = 3
     if error == 0.0:
         return words
 
@@ -116,7 +125,7 @@ def round_words(words: str, error: float | None) -> str:
             return match[0]
         leading = math.floor(math.log10(size))
         if error is None:
-            last = leading - UNESTIMATED + 1
+            last = leading - kept_digits + 1
         else:
             last = leading if not math.isfinite(error) else min(math.floor(math.log10(error * size)), leading)
         return re.sub(_NUMBER, lambda one: _cut(one[0], last), match[0])
@@ -126,9 +135,10 @@ def round_words(words: str, error: float | None) -> str:
 
 def _cut(text: str, last: int) -> str:
     """Return a number without digits finer than those of 10^last."""
+    whole = 4  # digits up to which whole numbers in words are counts, and stay as they are
     mantissa, _, power = text.partition("e")
     finest = int(power or 0) - len(mantissa.partition(".")[2])
-    if finest >= last or (finest == 0 and len(mantissa.lstrip("+-")) <= WHOLE):
+    if finest >= last or (finest == 0 and len(mantissa.lstrip("+-")) <= whole):
         return text
     number = round(Decimal(text), -last)
     if not number:
@@ -179,9 +189,9 @@ def rate(value: float | None) -> str | None:
 def write_rate(value: float) -> str:
     """Return a rate [rad/s] in the unit that it is read by."""
     size = abs(value)
-    if 0.0 < size < SLOW:
+    if 0.0 < size < LIMITS.slow:
         return f"{math.degrees(value) * DAY:.6g}°/d"
-    if size < FAST:
+    if size < LIMITS.fast:
         return f"{value * 30.0 / math.pi:.6g} rpm"
     turns = value / (2.0 * math.pi)
     unit = next((unit for unit in LARGE_PREFIXES if abs(turns) >= 0.1 * unit), 1.0)
@@ -208,7 +218,7 @@ def in_its_unit(value: float) -> str:
     for least, unit, name in LONG:
         if size >= least:
             return f"{value / unit:.6g} {name}"
-    if not 0.0 < size < SHORT:
+    if not 0.0 < size < LIMITS.short:
         return f"{value:.6g} s"
     unit = next((unit for unit in PREFIXES if size >= unit), 1e-15)
     return f"{value / unit:.6g} {PREFIXES[unit]}s"

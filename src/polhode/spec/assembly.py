@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -22,8 +23,16 @@ from polhode.types import Array, Float64
 
 TURNS = {"z": np.eye(3), "x": np.eye(3)[[2, 0, 1]], "y": np.eye(3)[[1, 2, 0]]}
 TURNS |= {f"-{axis}": turn * [1.0, -1.0, -1.0] for axis, turn in TURNS.items()}
-SAME_DENSITY = 1e-9  # relative: what volumes and masses in decimal digits leave
 NO_DENSITY = ("point", "disk", "rod")  # too thin to cut anything out of
+
+
+class DensityLimits(NamedTuple):
+    """A number that decides whether parts have one density."""
+
+    relative_spread: float = 1e-9  # what volumes and masses in decimal digits leave
+
+
+LIMITS = DensityLimits()
 
 
 def turn_of(part: PartTable) -> Float64[Array, "3 3"]:
@@ -83,7 +92,7 @@ def _common_density(parts: Sequence[PartTable], built: dict[int, BuiltPart]) -> 
         if not part.cut and part.shape not in NO_DENSITY and part.spec is None and part.inertia is None
     ]
     known = [one for one in solid if one is not None]
-    if not known or len(known) < len(solid) or max(known) > (1.0 + SAME_DENSITY) * min(known):
+    if not known or len(known) < len(solid) or max(known) > (1.0 + LIMITS.relative_spread) * min(known):
         return None
     return known[0]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Iterator
 from datetime import UTC, date, datetime
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict
 
@@ -15,13 +15,22 @@ from polhode.spec.fields import one_of
 
 SPEC_TIME_SYSTEMS = ("UTC", "TAI", "TT", "TDB", "GPS")
 INERTIAL = ("EME2000", "J2000", "ICRF", "GCRF", "B1950", "FK4", "ECLIPJ2000", "ECLIPB1950", "TEME", "TOD", "GALACTIC")
-LONGEST = 200  # characters of a label; lines of an AEM have 254
+
+
+class LabelLimits(NamedTuple):
+    """A number beyond which a label is refused."""
+
+    max_characters: int = 200  # lines of an AEM have 254
+
+
+LIMITS = LabelLimits()
 
 
 def _label(value: Any) -> str:
     good = isinstance(value, str) and value.strip() and value.isascii() and value.isprintable()
-    if not good or len(value) > LONGEST:
-        raise ValueError(f"must be one line of printable ASCII, at most {LONGEST} characters; got {shown(value)}")
+    if not good or len(value) > LIMITS.max_characters:
+        rule = f"must be one line of printable ASCII, at most {LIMITS.max_characters} characters"
+        raise ValueError(f"{rule}; got {shown(value)}")
     return value.strip()
 
 
@@ -125,4 +134,4 @@ def _in_ascii(name: str) -> str:
     """Return a name of any script as attitude files can hold it: accents dropped, other signs an underscore."""
     letters = (c for c in unicodedata.normalize("NFKD", name) if not unicodedata.combining(c))
     plain = "".join(c if c.isascii() and c.isprintable() else " " if c.isspace() else "_" for c in letters)
-    return " ".join(plain.split())[:LONGEST] or "BODY"
+    return " ".join(plain.split())[:LIMITS.max_characters] or "BODY"

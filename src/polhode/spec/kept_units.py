@@ -12,11 +12,18 @@ import contextlib
 import json
 import tempfile
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from polhode._base.seals import read_sealed, write_sealed
 
-LARGEST = 10_000_000  # bytes; they are 300,000
+
+class UnitCacheLimits(NamedTuple):
+    """A number beyond which kept units are not read."""
+
+    max_bytes: int = 10_000_000  # they are 300,000
+
+
+LIMITS = UnitCacheLimits()
 
 
 def load_registry(folder: Path) -> Any:
@@ -24,7 +31,7 @@ def load_registry(folder: Path) -> Any:
     import pint
 
     place = folder / f"pint-{pint.__version__}.units"
-    kept = read_sealed(place, LARGEST)
+    kept = read_sealed(place, LIMITS.max_bytes)
     with tempfile.TemporaryDirectory(prefix="polhode-") as name:
         within = Path(name)
         for file, content in json.loads(kept or b"{}").items():

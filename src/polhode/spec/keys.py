@@ -16,7 +16,15 @@ from polhode.spec.models import SpecFile
 from polhode.spec.rules import list_words
 
 TOP = ("body", "spin", "time", "system")
-LONGEST_PLACE = 9  # digits of a place in a list
+
+
+class KeyLimits(NamedTuple):
+    """A number that decides whether a key is a place in a list."""
+
+    max_digits: int = 9  # of a place
+
+
+LIMITS = KeyLimits()
 
 
 class Number(NamedTuple):
@@ -70,7 +78,7 @@ def _names(key: str) -> list[str]:
 
 def is_place(name: str) -> bool:
     """Whether a name in a key is a place in a list, of which Python's own reading would take digits of any number."""
-    return name.isascii() and name.isdecimal() and len(name) <= LONGEST_PLACE
+    return name.isascii() and name.isdecimal() and len(name) <= LIMITS.max_digits
 
 
 def _inside(at: Any, part: str, key: str) -> tuple[Any, list[Any]]:

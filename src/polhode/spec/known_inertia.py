@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -13,7 +13,14 @@ from polhode.spec.built import BuiltBody
 from polhode.spec.models import BodyTable, PartTable
 from polhode.types import Array, Float64
 
-ASYMMETRY = 1e-9  # of the largest entry; the body refuses more
+
+class InertiaLimits(NamedTuple):
+    """A number beyond which an inertia tensor is refused."""
+
+    max_asymmetry: float = 1e-9  # of the largest entry; the body refuses more
+
+
+LIMITS = InertiaLimits()
 
 
 def build_known(table: BodyTable | PartTable) -> BuiltBody:
@@ -34,7 +41,8 @@ def build_known(table: BodyTable | PartTable) -> BuiltBody:
             away = ", ".join(f"{x:g}" for x in table.about)
             raise InvalidInput(f"inertia about ({away}) m gives moments beyond the range of numbers. Check its unit.")
         _check_about(table, given, inertia, center)
-    if not np.isfinite(inertia).all() or np.abs(inertia - inertia.T).max() > ASYMMETRY * np.abs(inertia).max():
+    largest = np.abs(inertia).max()
+    if not np.isfinite(inertia).all() or np.abs(inertia - inertia.T).max() > LIMITS.max_asymmetry * largest:
         return BuiltBody(Body(table.mass, center, inertia))
     inertia = 0.5 * inertia + 0.5 * inertia.T
     if table.rounding is not None:

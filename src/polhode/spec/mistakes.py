@@ -15,7 +15,6 @@ from polhode.errors import shown
 from polhode.spec.models import SpecFile, known_keys
 from polhode.spec.rules import Location, Mistake
 
-LONGEST = 1600  # characters of all mistakes together
 _BARE = re.compile(r"[\w-]{1,40}")
 WORDS = {
     "string_type": "must be text in quotes",
@@ -47,10 +46,11 @@ def list_mistakes(
 
 def as_message(path: Path, mistakes: list[Mistake]) -> list[str]:
     """Return the lines of one message that names the file and every mistake; of very many only the first."""
+    max_characters = 1600  # of all mistakes together
     lines = list(dict.fromkeys(f"  {_key(location)}: {text}" for location, text in mistakes))
     count = "1 mistake" if len(lines) == 1 else f"{len(lines)} mistakes"
     sizes = itertools.accumulate(len(line) for line in lines)
-    kept = max(1, sum(size <= LONGEST for size in sizes))
+    kept = max(1, sum(size <= max_characters for size in sizes))
     rest = [] if kept == len(lines) else [f"  and {len(lines) - kept} more"]
     return [f"{path} has {count}:", *lines[:kept], *rest]
 

@@ -5,18 +5,26 @@ from __future__ import annotations
 import re
 import tomllib
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from polhode.errors import FormatError, shown
 from polhode.formats.opening import MB, read_text
 
 LARGEST = MB  # bytes; some thousand parts
-DEEPEST = 16  # lists and tables inside each other; a spec has five
 ATOMS = ".xyz", ".pdb", ".mol"  # endings
-DOTS = 32  # in one key: tomllib takes a time that grows with their square
 _DOT = re.compile(r"\.[ \t]*[\w-]")
 _QUOTED_DOT = re.compile(r"[\"'][ \t]*\.|\.[ \t]*[\"']")
 REMEDY = "Values with units stand in quotes."
+
+
+class ParsingLimits(NamedTuple):
+    """Numbers beyond which a spec is refused before it is parsed."""
+
+    max_depth: int = 16  # lists and tables inside each other; a spec has five
+    max_dots: int = 32  # in one key: tomllib takes a time that grows with their square
+
+
+LIMITS = ParsingLimits()
 
 
 def read_tables(path: Path, kind: str = "spec") -> dict[str, Any]:
@@ -27,8 +35,9 @@ def read_tables(path: Path, kind: str = "spec") -> dict[str, Any]:
         FormatError: if it is not TOML, too large or too deeply nested.
     """
     text = read_text(path, kind, LARGEST)
-    if _longest_key(text) > DOTS:
-        raise FormatError(f"{path}: has a key of more than {DOTS} names with dots between. A spec needs three.")
+    if _longest_key(text) > LIMITS.max_dots:
+        dotted = f"has a key of more than {LIMITS.max_dots} names with dots between"
+        raise FormatError(f"{path}: {dotted}. A spec needs three.")
     try:
         tables = tomllib.loads(text, parse_float=_read_float)
     except FormatError as error:
@@ -44,7 +53,7 @@ def read_tables(path: Path, kind: str = "spec") -> dict[str, Any]:
         raise FormatError(f"{path}: has a number of too many digits. {REMEDY}") from None
     except RecursionError:
         raise FormatError(_too_deep(path)) from None
-    if _is_deeper(tables, DEEPEST):
+    if _is_deeper(tables, LIMITS.max_depth):
         raise FormatError(_too_deep(path))
     return name_parts(tables)
 
@@ -66,7 +75,8 @@ def _read_float(text: str) -> float:
 
 
 def _too_deep(path: Path) -> str:
-    return f"{path}: has lists or tables more than {DEEPEST} deep inside each other. A spec needs five. Check brackets."
+    nested = f"has lists or tables more than {LIMITS.max_depth} deep inside each other"
+    return f"{path}: {nested}. A spec needs five. Check brackets."
 
 
 def _longest_key(text: str) -> int:

@@ -12,6 +12,7 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,11 +22,15 @@ from polhode.spec.models import PartTable
 from polhode.spec.surfaces import surface_of_part
 from polhode.types import Array, Bool, Float64
 
-POINTS = 600  # in the box about a part, of which those in the part count
-WORK = 4_000_000  # points times triangles, above which fewer points are taken
-FEWEST = 100
-TOLD = 0.05  # of a part: an overlap above this is real, given flat facets and few points
-BASES = (2, 3, 5)
+
+class OverlapLimits(NamedTuple):
+    """Numbers that decide whether an overlap of parts is reported, and at how many points it is looked for."""
+
+    min_share: float = 0.05  # of a part: a larger overlap is real, given flat facets and few points
+    max_work: int = 4_000_000  # points times triangles; fewer points are taken where they would exceed it
+
+
+LIMITS = OverlapLimits()
 
 
 def notes_on_places(parts: Sequence[PartTable], density: float | None, folder: Path) -> tuple[str, ...]:
@@ -54,7 +59,7 @@ def _notes_on_solids(parts: Sequence[PartTable], density: float | None, folder: 
     cuts, kept = [k for k in drawn if parts[k].cut], [k for k in drawn if not parts[k].cut]
     for k in cuts if whole and kept else []:
         outside = 1.0 - _share_inside(drawn[k], [drawn[j] for j in kept])
-        if outside > TOLD:
+        if outside > LIMITS.min_share:
             yield (
                 f"{name_of(parts[k], k)}, a cut, sticks out: about {100.0 * outside:.0f} % of it lies in no part, and "
                 "mass is taken away there as well. Check its place and size."
@@ -66,7 +71,7 @@ def _notes_on_solids(parts: Sequence[PartTable], density: float | None, folder: 
                 continue  # told as twins
             small, large = sorted((k, j), key=lambda n: _box_volume(drawn[n]))
             shared = _share_inside(drawn[small], [drawn[large]])
-            if shared > TOLD:
+            if shared > LIMITS.min_share:
                 yield (
                     f"{_names(parts, k, j)} overlap: about {100.0 * shared:.0f} % of {name_of(parts[small], small)} "
                     f"lies in {name_of(parts[large], large)}, and what is there {what}."
@@ -88,12 +93,14 @@ def _box_volume(surface: Surface) -> float:
 
 def _share_inside(one: Surface, others: Sequence[Surface]) -> float:
     """Return which share of the volume inside a surface lies inside any of others."""
+    most_points = 600  # in the box about a part, of which those in the part count
+    fewest_points = 100
     low, high = one.vertices.min(axis=0), one.vertices.max(axis=0)
     near = [other for other in others if _boxes_meet(low, high, other)]
     if not near:
         return 0.0
     most = max(len(surface.faces) for surface in (one, *near))
-    points = low + (high - low) * _spread_points(max(FEWEST, min(POINTS, WORK // most)))
+    points = low + (high - low) * _spread_points(max(fewest_points, min(most_points, LIMITS.max_work // most)))
     points = points[_is_inside(points, one)]
     if not len(points):
         return 0.0
@@ -109,7 +116,8 @@ def _boxes_meet(low: Float64[Array, "3"], high: Float64[Array, "3"], other: Surf
 
 def _spread_points(count: int) -> Float64[Array, "n 3"]:
     """Return Halton's points in the unit cube, the same each time."""
-    return np.array([[_radical_inverse(k, base) for base in BASES] for k in range(1, count + 1)])
+    bases = (2, 3, 5)
+    return np.array([[_radical_inverse(k, base) for base in bases] for k in range(1, count + 1)])
 
 
 def _radical_inverse(number: int, base: int) -> float:
@@ -123,7 +131,7 @@ def _radical_inverse(number: int, base: int) -> float:
 def _is_inside(points: Float64[Array, "n 3"], surface: Surface) -> Bool[Array, "n"]:
     """Return of which points the winding number is nearer to ±1 than to 0."""
     corners, inside = surface.vertices[surface.faces], np.zeros(len(points), dtype=bool)
-    step = max(1, WORK // (10 * len(corners)))
+    step = max(1, LIMITS.max_work // (10 * len(corners)))
     for begin in range(0, len(points), step):
         seen = corners[None] - points[begin : begin + step, None, None]
         a, b, c = (seen[:, :, k] for k in range(3))

@@ -8,14 +8,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
 from polhode.errors import InvalidInput
 from polhode.spec.rules import Location, Mistake
 
-REACH = 1e100  # of newer kinds, in SI; everything that turns is within 1e±60
+
+class ReachLimits(NamedTuple):
+    """A number beyond which the numbers of newer kinds are refused."""
+
+    largest: float = 1e100  # in SI, and its reciprocal; everything that turns is within 1e±60
+
+
+LIMITS = ReachLimits()
 
 
 def numbers_in(value: Any, at: Location = ()) -> Iterator[tuple[Location, float]]:
@@ -62,7 +69,7 @@ def check_reach(name: str, *numbers: float) -> None:
     Raises:
         InvalidInput: naming the option and the number.
     """
-    for _, wrong in beyond_reach(tuple(map(float, numbers)), (), REACH):
+    for _, wrong in beyond_reach(tuple(map(float, numbers)), (), LIMITS.largest):
         raise InvalidInput(f"{name} {wrong}.")
 
 

@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from polhode.bodies.body import Body
 from polhode.spec.models import SpinTable
 
-CLASSICAL = 5.0  # times ħ²/(2 I k), from which on a temperature is high for rotation
-ANGSTROM = 1e-10  # m
+
+class RemarkLimits(NamedTuple):
+    """A number that decides on a remark about temperature."""
+
+    min_classical: float = 5.0  # temperature over ħ²/(2 I k), from which on it is high for rotation
+
+
+LIMITS = RemarkLimits()
 
 
 def remarks_on(body: Body | None, spin: SpinTable | None) -> tuple[str, ...]:
@@ -21,7 +29,7 @@ def remarks_on_body(body: Body | None) -> tuple[str, ...]:
     """Return what was assumed of a body."""
     if body is None or body.inertial_defect <= 0.0:
         return ()
-    from polhode.bodies.atoms import ATOMIC_MASS_UNIT
+    from polhode.bodies.atoms import ANGSTROM, ATOMIC_MASS_UNIT
 
     defect = body.inertial_defect / (ATOMIC_MASS_UNIT * ANGSTROM**2)
     text = (
@@ -43,6 +51,6 @@ def _of_temperature(body: Body | None, temperature: float) -> str:
     if body is None or not body.principal_moments[0] > 0.0:
         return text
     quantum = float(rotational_temperature(body.principal_moments).max())
-    if temperature < CLASSICAL * quantum:
+    if temperature < LIMITS.min_classical * quantum:
         text += f" Quantum theory counts here: ħ²/2I of the axis of least moment is worth {quantum:.3g} K."
     return text

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -22,13 +23,16 @@ from polhode.spec.models import BodyTable, PartTable
 from polhode.types import Array, Float64
 
 THIN = 0.02  # of the radius or length: what a body without thickness is given, to be seen
-BALL = 0.5  # of the covalent radius: an atom
 BAR = 0.12 * ANGSTROM  # radius of what is drawn for a bond
-BONDED = 1.2  # of the sum of covalent radii: atoms no further apart are bonded
-UNKNOWN = 1.5, 0xFF1493  # Å and colour of an element that the table does not have
-BOND = 0x9A9A9A
-MOST_PIECES = 10_000
-MANY_ATOMS = 100  # from which on their balls are coarser
+
+
+class DrawingLimits(NamedTuple):
+    """A number beyond which a body is not drawn."""
+
+    max_pieces: int = 10_000
+
+
+LIMITS = DrawingLimits()
 
 
 def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
@@ -44,9 +48,9 @@ def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
 
         return Surface(*read_mesh(folder / table.mesh, table.mesh_unit, table.repair))
     if table.part is not None:
-        if (count := _count_pieces(table, folder, {})) > MOST_PIECES:
+        if (count := _count_pieces(table, folder, {})) > LIMITS.max_pieces:
             raise InvalidInput(f"its parts have {count} pieces with those of other specs, more than "
-                               f"{MOST_PIECES}, which "
+                               f"{LIMITS.max_pieces}, which "
                                "no page can draw. The report needs no picture.")  # fmt: skip
         return surface_of_parts(table.part, folder)
     if table.molecule is not None:
@@ -161,17 +165,22 @@ def surface_of_atoms(symbols: Sequence[str], positions: Float64[Array, "n 3"]) -
         symbols: (n,) chemical symbols.
         positions: (n, 3) [m].
     """
+    ball_size = 0.5  # of the covalent radius: an atom
+    unknown = 1.5, 0xFF1493  # Å and colour of an element that the table does not have
+    bond_color = 0x9A9A9A
+    many = 100  # from which on their balls are coarser
+    bonded = 1.2  # of the sum of covalent radii: atoms no further apart are bonded
     from scipy.spatial import KDTree
 
     positions = np.asarray(positions, dtype=float)
-    looks = [_looks().get(symbol, UNKNOWN) for symbol in symbols]
+    looks = [_looks().get(symbol, unknown) for symbol in symbols]
     radii = np.array([radius for radius, _ in looks]) * ANGSTROM
-    vertices, faces = ball(24 if len(radii) <= MANY_ATOMS else 12)
-    shown = [color_surface(Surface(vertices * (BALL * radius * ANGSTROM) + at, faces), color)
+    vertices, faces = ball(24 if len(radii) <= many else 12)
+    shown = [color_surface(Surface(vertices * (ball_size * radius * ANGSTROM) + at, faces), color)
              for (radius, color), at in zip(looks, positions, strict=True)]  # fmt: skip
-    for i, j in KDTree(positions).query_pairs(2.0 * BONDED * radii.max(), output_type="ndarray"):
-        if 0.0 < np.linalg.norm(positions[i] - positions[j]) <= BONDED * (radii[i] + radii[j]):
-            shown.append(color_surface(bar(positions[i], positions[j], BAR), BOND))
+    for i, j in KDTree(positions).query_pairs(2.0 * bonded * radii.max(), output_type="ndarray"):
+        if 0.0 < np.linalg.norm(positions[i] - positions[j]) <= bonded * (radii[i] + radii[j]):
+            shown.append(color_surface(bar(positions[i], positions[j], BAR), bond_color))
     return join_surfaces(shown)
 
 

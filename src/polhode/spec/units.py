@@ -9,7 +9,7 @@ import sys
 from fractions import Fraction
 from functools import cache, lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from polhode._base.rational import read_number
 from polhode.errors import InvalidInput, shown
@@ -43,8 +43,6 @@ EXAMPLES = {
     "W*s^2": "2e-8 W*s^2",
     "W*s^2.5": "2e-9 W*s^2.5",
 }
-LONGEST = 100  # characters of a quantity
-LARGEST_POWER = 9  # of a unit; pint would compute m^9^9^9
 QUANTITY = re.compile(
     r"\s*(?P<number>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?|[+-]?(?:nan|inf)(?!\w))\s*\*?\s*(?P<unit>.*)",
     re.DOTALL,
@@ -64,6 +62,16 @@ _DOT = re.compile(r"\.(?=\s*[^\W\d])")  # a product, not a part of a number
 KEPT = "POLHODE_UNITS_CACHE"  # folder where a command keeps the table of units, so as not to read it each time
 ANGLES = {"radian", "degree", "turn", "arcminute", "arcsecond", "milliarcsecond", "grade", "revolutions_per_minute",
           "dps", "cpm", "revolutions_per_second"}  # fmt: skip
+
+
+class QuantityLimits(NamedTuple):
+    """Numbers beyond which a quantity is refused before it is parsed."""
+
+    max_characters: int = 100
+    max_power: int = 9  # of a unit; pint would compute m^9^9^9
+
+
+LIMITS = QuantityLimits()
 
 
 @cache
@@ -142,8 +150,9 @@ def parse_spectroscopic(value: Any) -> float:
 def _parse(value: str, unit: str) -> float:
     example = find_example(unit)
     unreadable = ValueError(f'cannot be read as a quantity: {shown(value)}; write it like "{example}"')
-    if len(value) > LONGEST:
-        raise ValueError(f'must have at most {LONGEST} characters; got {shown(value)}; write it like "{example}"')
+    if len(value) > LIMITS.max_characters:
+        rule = f"must have at most {LIMITS.max_characters} characters"
+        raise ValueError(f'{rule}; got {shown(value)}; write it like "{example}"')
     registry, parts = _registry(), QUANTITY.fullmatch(value)
     if parts is None:
         raise unreadable
@@ -206,8 +215,8 @@ def _check_unit(text: str, value: str, unreadable: ValueError) -> None:
         except ValueError:
             raise unreadable from None
         reach *= math.prod(max(size, 1.0) for size in sizes)  # powers of brackets multiply
-        if max(sizes, default=0.0) > LARGEST_POWER or reach > LARGEST_POWER**3:
-            raise ValueError(f"raises a unit to a power beyond {LARGEST_POWER}: {shown(value)}; check its powers")
+        if max(sizes, default=0.0) > LIMITS.max_power or reach > LIMITS.max_power**3:
+            raise ValueError(f"raises a unit to a power beyond {LIMITS.max_power}: {shown(value)}; check its powers")
         at, was_sign = token.end(), bool(token["sign"])
 
 

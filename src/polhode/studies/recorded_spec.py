@@ -13,7 +13,6 @@ from polhode.formats.paths import write_whole
 from polhode.motion._trajectory import Trajectory
 from polhode.types import Array, Float64
 
-DIGITS = 15  # of the largest moment
 KEYS = ("object_name", "object_id", "center", "reference_frame", "body_frame", "epoch", "time_system", "originator")
 
 
@@ -58,8 +57,9 @@ def write_spec(trajectory: Trajectory, labels: AttitudeLabels | None, path: Path
 
 def _rounded(inertia: Float64[Array, "3 3"]) -> list[list[float]]:
     """Return the entries of a matrix without what rounding of its principal axes left in them."""
+    digits = 15  # of the largest moment
     unit = float(np.abs(inertia).max())
-    return (np.round((inertia + inertia.T) / (2.0 * unit), DIGITS) * unit + 0.0).tolist()
+    return (np.round((inertia + inertia.T) / (2.0 * unit), digits) * unit + 0.0).tolist()
 
 
 def _quantities(values: list[float], unit: str) -> str:

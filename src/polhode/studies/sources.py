@@ -28,14 +28,22 @@ from polhode.motion.frame import BodyFrame
 from polhode.studies.naming import name_file_in_errors
 from polhode.studies.tables import TableMapping, needs_mapping
 
-HEAD = 65536  # bytes in which a file shows what it is
 SPEC, TABLE = "spec", "table"  # kinds of files that are no form
 OWN_ATTITUDE = (b"time [s],q_w,q_x,q_y,q_z", b'"time [s]","q_w","q_x","q_y","q_z"')
 _OF_TOML = re.compile(r"\s*(\[|[\w.\"'-]+\s*=)")
-SAME_ATTITUDE = 1e-6  # rad; what seven digits of a quaternion leave between two samples of one time
-SAME_MOMENTUM = 1e-9  # of the largest; a rotor whose momentum is less changes no energy that is printed
 COUNTED_FROM = "counted_from"
 """Attribute of tables and datasets: the stamp that times count from [s]."""
+
+
+class HistoryLimits(NamedTuple):
+    """Numbers that decide whether a recorded history is refused and a rotor is ignored."""
+
+    # rad between two samples of one time, which seven digits of a quaternion leave
+    max_attitude_difference: float = 1e-6
+    max_rotor_momentum: float = 1e-9  # of the largest; less changes no energy that is printed
+
+
+LIMITS = HistoryLimits()
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,12 +102,13 @@ def detect_kind(path: Path, table: TableMapping | None = None) -> str:
         InvalidInput: for what is missing.
         FormatError: for what is none of them.
     """
+    head_size = 65536  # bytes in which a file shows what it is
     if is_folder(path):
         return "netcdf"  # a store, which is read as such a dataset
     with open_file(path, "spec or motion") as file:
-        head = file.read(HEAD)
+        head = file.read(head_size)
     begin = head.removeprefix(b"\xef\xbb\xbf")
-    if len(head) < HEAD and not begin.strip():
+    if len(head) < head_size and not begin.strip():
         raise FormatError(f"{path}: is empty, so that there is nothing to read. Check the path, or write it again.")
     form = form_that_begins(begin) or (form_that_is_named(path) if table is None else None)
     overruled = form is not None and form.is_table and table is not None and (table.only or _fits(path, table))
@@ -249,7 +258,7 @@ def _find_mechanics(trajectory: Trajectory, frame: BodyFrame | None) -> Mechanic
         return None
     inertia, momentum = frame.inertia, np.asarray(trajectory.momentum)
     left = np.abs(np.asarray(trajectory.angular_velocity) @ inertia - momentum).max()
-    return Mechanics(inertia) if left <= SAME_MOMENTUM * np.abs(momentum).max() else None
+    return Mechanics(inertia) if left <= LIMITS.max_rotor_momentum * np.abs(momentum).max() else None
 
 
 class SpecBody(NamedTuple):
@@ -321,7 +330,7 @@ def _history(path: Path, trajectory: Trajectory) -> AttitudeHistory:
         raise InvalidInput(f"{path}: {error}") from None
     times, first, again = np.unique(np.asarray(trajectory.times), return_index=True, return_inverse=True)
     apart = rotation.angle_between(attitude, attitude[first][again.reshape(-1)])
-    if apart.max() > SAME_ATTITUDE:
+    if apart.max() > LIMITS.max_attitude_difference:
         when = np.asarray(trajectory.times)[int(np.argmax(apart))]
         raise InvalidInput(f"{path}: has two attitudes at {when:.9g} s, {apart.max():.3g} rad apart. Leave out one.")
     velocity = trajectory.angular_velocity

@@ -12,9 +12,17 @@ from polhode.formats.labels import Recording
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Answer, Group
 
-APART = 0.5  # relative; rates that far from how the attitude turns are of another direction, order or unit
 EXAMPLE = ('`columns={"time": "t", "time_unit": "s", "quat": "qw,qx,qy,qz", "order": "wxyz", "gyro": "gx,gy,gz", '
            '"unit": "deg/s"}`')  # fmt: skip
+
+
+class ReadingLimits(NamedTuple):
+    """A number that decides whether rates contradict the attitudes."""
+
+    max_rate_residual: float = 0.5  # relative; more is of another direction, order or unit
+
+
+LIMITS = ReadingLimits()
 
 
 class TableMapping(NamedTuple):
@@ -88,7 +96,7 @@ def list_reading_notes(trajectory: Trajectory, name: str) -> list[str]:
     assert isinstance(trajectory.source, Recording)
     reading = trajectory.source.attributes
     notes = [f"{name}: {note}" for note in reading["notes"]]
-    if (reading["rates_apart"] or 0.0) > APART:
+    if (reading["rates_apart"] or 0.0) > LIMITS.max_rate_residual:
         notes.append(f"{name}: the attitude does not follow the angular velocity. Check direction, order, "
                      "sequence and units.")  # fmt: skip
     return notes

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -14,9 +15,14 @@ from polhode.poisson.brackets import bracket
 from polhode.testing.laws import Laws, hold, hold_all
 from polhode.types import Array
 
-EXACT = 1e-12  # relative; some dozens of roundings
-POINTS = 4
-SMALL = 0.1
+
+class AlgebraLimits(NamedTuple):
+    """A tolerance of these checks."""
+
+    rounding: float = 1e-12  # relative; some dozens of roundings
+
+
+LIMITS = AlgebraLimits()
 
 
 def check_algebra(algebra: AbstractLieAlgebra, seed: int = 0) -> None:
@@ -28,20 +34,21 @@ def check_algebra(algebra: AbstractLieAlgebra, seed: int = 0) -> None:
     >>> from polhode.algebra import SO3
     >>> check_algebra(SO3())
     """
+    points, small = 4, 0.1
     rng = np.random.default_rng(seed)
-    x, y, z = (algebra.from_vector(jnp.asarray(rng.normal(size=(POINTS, algebra.dim)))) for _ in range(3))
-    mu = algebra.from_dual_vector(jnp.asarray(rng.normal(size=(POINTS, algebra.dim))))
+    x, y, z = (algebra.from_vector(jnp.asarray(rng.normal(size=(points, algebra.dim)))) for _ in range(3))
+    mu = algebra.from_dual_vector(jnp.asarray(rng.normal(size=(points, algebra.dim))))
     weights = jnp.asarray(rng.normal(size=(3, algebra.dim)))
-    hold_all(partial(_structure, algebra), EXACT, x, y, z, mu)
+    hold_all(partial(_structure, algebra), LIMITS.rounding, x, y, z, mu)
     hold("one name a Casimir", len(algebra.casimir_names), algebra.casimirs(mu).shape[-1], 0.0)
     by_name, batch = algebra.named_casimirs(mu), algebra.batch_shape(mu)
     copied = {name for name, value in by_name.items() if jnp.ndim(value) > len(batch)}
     hold("Casimirs of which each copy has one", len(copied ^ {*algebra.casimirs_of_copies}), 0, 0.0)
     named = [jnp.reshape(value, (*batch, -1)) for value in by_name.values()]
     together = jnp.concatenate([algebra.casimirs(mu)[..., :0], *named], axis=-1)
-    hold("Casimirs by name are the Casimirs", jnp.sort(together), jnp.sort(algebra.casimirs(mu)), EXACT)
-    hold_all(partial(_group, algebra), EXACT, SMALL * x, SMALL * y, mu)
-    hold_all(partial(_bracket_of_functions, algebra), EXACT, weights, mu)
+    hold("Casimirs by name are the Casimirs", jnp.sort(together), jnp.sort(algebra.casimirs(mu)), LIMITS.rounding)
+    hold_all(partial(_group, algebra), LIMITS.rounding, small * x, small * y, mu)
+    hold_all(partial(_bracket_of_functions, algebra), LIMITS.rounding, weights, mu)
 
 
 def _structure(algebra: AbstractLieAlgebra, x: Array, y: Array, z: Array, mu: Array) -> Laws:

@@ -9,7 +9,7 @@ import tempfile
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -30,10 +30,18 @@ from polhode.testing.laws import LawBroken
 
 VECTORS = ("attitude", "momentum", "angular_velocity")
 BY_NAME = ("invariants", "balances", "received", "observed")
-KEPT = 1e-9  # drift of what is conserved or balanced: no example is long
 ANY_BODY = {"body", "axis", "sphere", "poinsot"}  # panels that the page's own script makes
 NAME = re.compile(r"[a-z]+(-[a-z]+)*")
 FILE_NAME = re.compile(r"(?!(con|prn|aux|nul)$)[a-z]+(_[a-z0-9]+)*")  # a file on every system, Windows and macOS too
+
+
+class KindLimits(NamedTuple):
+    """A tolerance of these checks."""
+
+    max_drift: float = 1e-9  # of what is conserved or balanced: no example is long
+
+
+LIMITS = KindLimits()
 
 
 def check_kind(kind: AbstractKind[Any]) -> None:
@@ -180,7 +188,7 @@ def _check_motion(kind: AbstractKind, spec: Spec, report: MotionReport) -> None:
     _require(trajectory.drift, "something is conserved or balanced, and its drift is told")
     for name, drift in trajectory.drift.items():
         largest = float(np.max(drift))
-        _require(largest < KEPT, f"{name} stays in the example; it drifts by {largest:.3g}, relative")
+        _require(largest < LIMITS.max_drift, f"{name} stays in the example; it drifts by {largest:.3g}, relative")
         known = trajectory.invariants.keys() | trajectory.balances.keys()
         _require(name in known, f"each drift is of an invariant or a balance; {name} is neither")
     same = np.array_equal(moved.trajectory.states, trajectory.states)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -15,10 +15,16 @@ from polhode.motion.base import AbstractMotion
 from polhode.testing.laws import LawBroken, hold
 from polhode.types import Array
 
-EXACT = 1e-9  # relative; a closed form some turns after its epoch, and more than a wrong one is off by
-STEP = 2e-3  # rad, by which the fastest of bodies turns in a step of differences of fourth order: they leave out 1e-12
-CYCLES, SAMPLES = 2.0, 9
 TURN = np.array([0.8, 0.36, -0.48, 0.0])  # to other axes of the body
+
+
+class MotionLimits(NamedTuple):
+    """A tolerance of these checks."""
+
+    rounding: float = 1e-9  # relative; a closed form some turns after its epoch, and more than a wrong one is off by
+
+
+LIMITS = MotionLimits()
 
 
 def check_motion(motion: AbstractMotion) -> None:
@@ -36,15 +42,17 @@ def check_motion(motion: AbstractMotion) -> None:
     >>> from polhode import FreeMotion
     >>> check_motion(FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)))
     """
+    cycles, samples = 2.0, 9
     if not isinstance(motion, AbstractMotion) or motion.batch_shape:
         raise InvalidInput(f"`motion` must be one motion in closed form; got {shown(motion)}.")
-    times = float(motion.epoch) + np.linspace(-0.5, CYCLES, SAMPLES) * motion.cycle
+    times = float(motion.epoch) + np.linspace(-0.5, cycles, samples) * motion.cycle
     states = motion.state(times)
     start = motion.state(float(motion.epoch))
-    hold("the state at the epoch is the given one", start, (motion.attitude_at_epoch, motion.momentum_at_epoch), EXACT)
-    hold("attitudes are unit quaternions", np.linalg.norm(states[0], axis=-1), np.ones(SAMPLES), EXACT)
-    one_by_one = [motion.state(float(t)) for t in times]
-    hold("many times = one after the other", states, tuple(map(np.stack, zip(*one_by_one, strict=True))), EXACT)
+    given = motion.attitude_at_epoch, motion.momentum_at_epoch
+    hold("the state at the epoch is the given one", start, given, LIMITS.rounding)
+    hold("attitudes are unit quaternions", np.linalg.norm(states[0], axis=-1), np.ones(samples), LIMITS.rounding)
+    one_by_one = tuple(map(np.stack, zip(*(motion.state(float(t)) for t in times), strict=True)))
+    hold("many times = one after the other", states, one_by_one, LIMITS.rounding)
     _check_kinematics(motion, times)
     _check_conserved(motion, times)
     _check_batch(motion, times)
@@ -53,13 +61,15 @@ def check_motion(motion: AbstractMotion) -> None:
 
 
 def _check_kinematics(motion: AbstractMotion, times: Array) -> None:
+    # rad, by which the fastest of bodies turns in a step of differences of fourth order: they leave out 1e-12
+    angle = 2e-3
     rate = float(motion.fastest_rate) or 1.0
-    step = STEP / rate
+    step = angle / rate
     one, two = ([motion.attitude(times + sign * k * step) for sign in (1, -1)] for k in (1, 2))
-    change = (8.0 * (one[0] - one[1]) - (two[0] - two[1])) / (12.0 * STEP)  # per rad
+    change = (8.0 * (one[0] - one[1]) - (two[0] - two[1])) / (12.0 * angle)  # per rad
     velocity = np.concatenate([np.zeros((len(times), 1)), motion.angular_velocity(times) / rate], axis=-1)
     turning = 0.5 * rotation.multiply(motion.attitude(times), velocity)
-    hold("the attitude turns at Ω: dq/dt = ½ q Ω", change, turning, EXACT)
+    hold("the attitude turns at Ω: dq/dt = ½ q Ω", change, turning, LIMITS.rounding)
 
 
 def _check_conserved(motion: AbstractMotion, times: Array) -> None:
@@ -69,7 +79,7 @@ def _check_conserved(motion: AbstractMotion, times: Array) -> None:
         raise LawBroken(f"`quantities` names what `conserved_along` returns; it has {shown(list(motion.quantities))}, "
                         f"and that {shown(list(trajectory.invariants))}.")  # fmt: skip
     for name, drift in trajectory.drift.items():
-        if not np.max(drift) <= EXACT:
+        if not np.max(drift) <= LIMITS.rounding:
             raise LawBroken(f"{name} is conserved; it drifts by {float(np.max(drift)):.3g}, relative.")
 
 
@@ -83,10 +93,10 @@ def _check_batch(motion: AbstractMotion, times: Array) -> None:
 
     both = jax.tree_util.tree_map_with_path(two, motion)
     each = motion.state(np.stack([times[1], times[2] - later]))
-    hold("a batch = one body after the other", both.state(times[1:3]), each, EXACT)
+    hold("a batch = one body after the other", both.state(times[1:3]), each, LIMITS.rounding)
     of_all = both.sample(times)
     each = motion.state(np.stack([times, times - later]))
-    hold("a sampled batch = one body after the other", (of_all.attitude, of_all.momentum), each, EXACT)
+    hold("a sampled batch = one body after the other", (of_all.attitude, of_all.momentum), each, LIMITS.rounding)
 
 
 def _check_axes(motion: AbstractMotion, times: Array) -> None:
@@ -94,8 +104,9 @@ def _check_axes(motion: AbstractMotion, times: Array) -> None:
     plain, turned = motion.along("principal"), motion.along("principal").along(axes)
     if motion.given_axes is not None:
         axes = np.asarray(motion.given_axes).T @ axes
-    hold("other axes turn the momentum", turned.momentum(times), plain.momentum(times) @ axes, EXACT)
-    hold("other axes turn the attitude", turned.rotation_matrix(times), plain.rotation_matrix(times) @ axes, EXACT)
+    momentum, matrices = plain.momentum(times) @ axes, plain.rotation_matrix(times) @ axes
+    hold("other axes turn the momentum", turned.momentum(times), momentum, LIMITS.rounding)
+    hold("other axes turn the attitude", turned.rotation_matrix(times), matrices, LIMITS.rounding)
 
 
 def _check_jax(motion: AbstractMotion, times: Array, states: tuple[Array, Array]) -> None:
@@ -108,4 +119,4 @@ def _check_jax(motion: AbstractMotion, times: Array, states: tuple[Array, Array]
             f"JAX arrays in, JAX arrays out: `closed_form` and `fastest_rate` cannot be traced ({said}). Write them by "
             "the arrays' own methods, polhode.rotation, or the namespace of the arrays."
         ) from error
-    hold("JAX gives the states of NumPy", by_jax, states, EXACT)
+    hold("JAX gives the states of NumPy", by_jax, states, LIMITS.rounding)

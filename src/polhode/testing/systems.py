@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -15,11 +15,17 @@ from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, compo
 from polhode.testing.laws import hold
 from polhode.types import Array, ArrayLike, Real
 
-EXACT = 1e-11  # relative; derivatives of polynomials of a few degrees
-FLOWS = 1e-5  # of the flows' sum over a short time, whose commutators are of second order in it
-SHORT, LONG = 1e-7, 0.3
-POINTS = 3
 TIME = 0.3  # at which what depends on time is looked at
+
+
+class SystemLimits(NamedTuple):
+    """Tolerances of these checks."""
+
+    rounding: float = 1e-11  # relative; derivatives of polynomials of a few degrees
+    flow_residual: float = 1e-5  # of the flows' sum over a short time, whose commutators are of second order in it
+
+
+LIMITS = SystemLimits()
 
 
 def check_system(
@@ -54,7 +60,7 @@ def check_system(
         if isinstance(system, AbstractLiePoissonSystem):
             point = system.parts(batch).point
             gradient = jax.grad(lambda m: jnp.sum(system.energy(m)))(point)
-            hold("velocity = ∇H", system.velocity(point), system.algebra.from_gradient(gradient), EXACT)
+            hold("velocity = ∇H", system.velocity(point), system.algebra.from_gradient(gradient), LIMITS.rounding)
         _check_laws(system, batch)
         if isinstance(system, AbstractLiePoissonSystem):
             _check_flows(system, batch, system.vector_field(jnp.asarray(0.0), batch))
@@ -62,6 +68,7 @@ def check_system(
 
 def _draw_states(system: AbstractSystem, seed: int, size: float) -> list[Array]:
     """Return random states, with and without an attitude where they may have one."""
+    points = 3
     if not isinstance(system, AbstractLiePoissonSystem):
         name = type(system).__name__
         raise InvalidInput(
@@ -69,10 +76,10 @@ def _draw_states(system: AbstractSystem, seed: int, size: float) -> list[Array]:
             f"is not known: check_system({name}(…), states=[…]), as `simulate` takes them, (m, …)."
         )
     algebra, rng = system.algebra, np.random.default_rng(seed)
-    point = algebra.from_dual_vector(jnp.asarray(size * rng.normal(size=(POINTS, algebra.dim))))
+    point = algebra.from_dual_vector(jnp.asarray(size * rng.normal(size=(points, algebra.dim))))
     if not system.carries_attitude:
         return [point]
-    q = rng.normal(size=(POINTS, 4))
+    q = rng.normal(size=(points, 4))
     return [point, jnp.concatenate([q / np.linalg.norm(q, axis=1, keepdims=True), point], axis=-1)]
 
 
@@ -87,7 +94,7 @@ def _check_laws(system: AbstractSystem, state: Array) -> None:
     time = jnp.asarray(TIME)
     flow = system.vector_field(time, state)
     loop = jnp.stack([system.vector_field(time, one) for one in state])
-    hold("vector field: batch = loop", flow, loop, EXACT)
+    hold("vector field: batch = loop", flow, loop, LIMITS.rounding)
     values, rates = jax.jvp(system.invariants, (state,), (flow,))
     known = {"energy"}
     if isinstance(system, AbstractLiePoissonSystem):
@@ -96,17 +103,18 @@ def _check_laws(system: AbstractSystem, state: Array) -> None:
         if name not in known and bool(jnp.isnan(values[name]).all()):
             continue  # holds on other leaves only
         scale = jnp.maximum(jnp.max(jnp.abs(values[name])), 1.0)
-        hold(f"{name} is constant along the motion", rate / scale, jnp.zeros_like(rate), EXACT)
+        hold(f"{name} is constant along the motion", rate / scale, jnp.zeros_like(rate), LIMITS.rounding)
 
     values_alone, changes = jax.jvp(system.balance_values, (time, state), (jnp.ones_like(time), flow))
     balances = system.balances(time, state)
     hold("balance_values names the balances", len({*values_alone} ^ {*balances}), 0, 0.0)
     for name, balance in balances.items():
-        hold(f"{name} is the value of its balance", values_alone[name], balance.value, EXACT)
-        hold(f"{name} changes at the rate that its balance tells", changes[name], balance.rate, EXACT)
+        hold(f"{name} is the value of its balance", values_alone[name], balance.value, LIMITS.rounding)
+        hold(f"{name} changes at the rate that its balance tells", changes[name], balance.rate, LIMITS.rounding)
 
 
 def _check_flows(system: AbstractLiePoissonSystem, state: Array, field: Array) -> None:
+    short, long = 1e-7, 0.3
     if not system.flows:
         return
     def compile_flow(flow: Any) -> Any:
@@ -114,12 +122,12 @@ def _check_flows(system: AbstractLiePoissonSystem, state: Array, field: Array) -
         return lambda time, now: moved(jnp.asarray(time), now)
 
     flows = {name: compile_flow(flow) for name, flow in system.flows.items()}
-    total = sum(moved(SHORT, state) for moved in flows.values())
-    hold("flows of the parts add up to the field", total / SHORT, field, FLOWS)
+    total = sum(moved(short, state) for moved in flows.values())
+    hold("flows of the parts add up to the field", total / short, field, LIMITS.flow_residual)
     casimirs = system.algebra.casimirs
     before = casimirs(system.parts(state).point)
     for name, moved in flows.items():
-        once, half = moved(LONG, state), moved(0.5 * LONG, state)
-        rest = moved(0.5 * LONG, state + half)
-        hold(f"flow of {name}: two halves make a whole", half + rest, once, EXACT)
-        hold(f"flow of {name} keeps the Casimirs", casimirs(system.parts(state + once).point), before, EXACT)
+        once, half = moved(long, state), moved(0.5 * long, state)
+        rest = moved(0.5 * long, state + half)
+        hold(f"flow of {name}: two halves make a whole", half + rest, once, LIMITS.rounding)
+        hold(f"flow of {name} keeps the Casimirs", casimirs(system.parts(state + once).point), before, LIMITS.rounding)

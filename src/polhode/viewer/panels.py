@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -18,13 +18,21 @@ from polhode.viewer.samples import Samples
 from polhode.viewer.shapes import body_shape, is_celestial, semi_axes_squared, top_shape
 
 Panel = dict[str, Any]
-KEPT = 1e-6  # of |L|: a momentum in space that stays within this is the one that a page's "up" can be
-LOW = 0.4  # cosine of the tilt below which a top of unknown shape would dip into the ground, and stands on a post
-DIPS = 0.02  # of its size by which a top may do so, as the tip of a stem is not a point
-SOMEWHERE = 0.6  # of the reach of a top: where its weight is drawn if its place is not known
-LOOKS = 300  # samples at which that is looked at
-ALIGNED = 0.99999  # cosine up to which a top's axis is one of its principal axes
 AXIS = np.array([0.0, 0.0, 1.0])
+
+
+class PanelLimits(NamedTuple):
+    """Numbers that decide what a panel shows."""
+
+    # of |L|: a momentum in space that stays within this is the one that a page's "up" can be
+    max_momentum_change: float = 1e-6
+    # of the tilt; below it a top of unknown shape would dip into the ground, and is put on a post
+    min_cosine: float = 0.4
+    max_dip: float = 0.02  # of its size, as the tip of a stem is not a point
+    max_aligned_cosine: float = 0.99999  # up to which a top's axis is not one of its principal axes
+
+
+LIMITS = PanelLimits()
 
 
 @dataclass(frozen=True)
@@ -98,7 +106,7 @@ def _turns_as_one(samples: Samples, moments: Array | None) -> bool:
     momentum, velocity = samples.momentum, samples.angular_velocity
     if moments is None or momentum is None or velocity is None:
         return True
-    return bool(np.abs(momentum - moments * velocity).max() <= KEPT * np.abs(momentum).max())
+    return bool(np.abs(momentum - moments * velocity).max() <= LIMITS.max_momentum_change * np.abs(momentum).max())
 
 
 def choose_title(source: Any) -> str:
@@ -136,7 +144,7 @@ def choose_up(source: Any, samples: Samples) -> tuple[Float64[Array, "4"], str]:
         return as_given
     in_space = rotation.rotate(samples.attitude, samples.momentum)
     norm = np.linalg.norm(in_space[0])
-    if not norm or np.abs(in_space - in_space[0]).max() > KEPT * norm:
+    if not norm or np.abs(in_space - in_space[0]).max() > LIMITS.max_momentum_change * norm:
         return as_given
     return rotation.shortest_between(in_space[0], AXIS), "L"
 
@@ -202,7 +210,7 @@ def top_panels(
     own: Panel = {"traced": int(np.abs(axis).argmax()), "pivot": _pivot(samples.attitude, axis, shape[0])}
     if weighed:
         own["weight"] = {"center": _center(shape, surface is not None, axis, frame)}
-    if weighed and axis[own["traced"]] < ALIGNED * np.linalg.norm(axis):
+    if weighed and axis[own["traced"]] < LIMITS.max_aligned_cosine * np.linalg.norm(axis):
         own["along"] = (axis / np.linalg.norm(axis)).tolist()
     body = _body(samples, moments, *shape) | own
     limits = [float(x) for x in getattr(source, "nutation_limits", ()) if x is not None and abs(x) < 1.0]
@@ -212,28 +220,30 @@ def top_panels(
 
 def _center(shape: tuple[Surface | None, str], is_own: bool, axis: Array, frame: BodyFrame | None) -> float:
     """Return how far from the pivot a top's centre of mass is drawn, in units of the drawn surface's reach."""
+    unknown_place = 0.6  # of the reach of a top: where its weight is drawn if its place is not given
     drawn, words = shape
     if drawn is None:
-        return SOMEWHERE
+        return unknown_place
     if is_own and frame is not None and frame.pivot is not None:
         return float(np.linalg.norm(np.asarray(frame.center_of_mass) - np.asarray(frame.pivot))) / _reach(drawn)
     if is_own or "stem" not in words:
-        return SOMEWHERE
+        return unknown_place
     disk = np.asarray(drawn.vertices)[: len(drawn.vertices) // 2]  # on a massless stem
     return abs(float(disk.mean(axis=0) @ axis)) / float(np.linalg.norm(axis)) / _reach(drawn)
 
 
 def _pivot(attitude: Array, axis: Array, surface: Surface | None) -> str:
     """Return the support of the pivot: the ground, a post where the body reaches below it, a hook where it hangs."""
-    up = rotation.rotate(rotation.conjugate(attitude[:: -(-len(attitude) // LOOKS)]), AXIS)  # in the body
+    most_samples = 300  # at which it is checked
+    up = rotation.rotate(rotation.conjugate(attitude[:: -(-len(attitude) // most_samples)]), AXIS)  # in the body
     height = rotation.rotate(attitude, axis)[:, 2]
     if height.mean() < 0:
         return "hook"
     if surface is None:
-        return "ground" if height.min() > LOW * np.linalg.norm(axis) else "post"
+        return "ground" if height.min() > LIMITS.min_cosine * np.linalg.norm(axis) else "post"
     corners = np.asarray(surface.vertices, dtype=float)
     lowest = min(float((corners @ direction).min()) for direction in up)
-    return "ground" if lowest > -DIPS * np.linalg.norm(corners, axis=1).max() else "post"
+    return "ground" if lowest > -LIMITS.max_dip * np.linalg.norm(corners, axis=1).max() else "post"
 
 
 # ---------------------------------------------------------------------- the momentum sphere

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,9 +14,18 @@ from polhode.motion.base import AbstractMotion
 from polhode.reports.wording import unit_in_words
 from polhode.types import Array, Double, Float64
 
-MOST = 4000  # samples on a page, about 0.4 MB
-FINE, COARSE = 0.05, 0.25  # rad the body turns from sample to sample: wanted, and at most, of motions known exactly
 JOINED = 0.5 * np.pi  # rad up to which the motion between two samples is clear
+
+
+class SampleLimits(NamedTuple):
+    """Numbers that decide at which times a page shows a motion."""
+
+    max_samples: int = 4000  # about 0.4 MB
+    fine_turn: float = 0.05  # rad from sample to sample, wanted of exact motions
+    max_turn: float = 0.25  # rad from sample to sample of exact motions; of longer ones only the beginning is shown
+
+
+LIMITS = SampleLimits()
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,12 +91,13 @@ def _evaluate(trajectory: Trajectory, motion: AbstractMotion) -> Samples:
     notes, shown = [], end
     if len(times) == 1 or not turn < np.inf:
         return replace(_thin(trajectory), joined=False)
-    if turn > COARSE * (MOST - 1):
-        shown = start + (end - start) * COARSE * (MOST - 1) / turn
-        notes.append(f"Shown: the first {COARSE * (MOST - 1) / (2 * np.pi):.0f} turns, "
+    if turn > LIMITS.max_turn * (LIMITS.max_samples - 1):
+        shown = start + (end - start) * LIMITS.max_turn * (LIMITS.max_samples - 1) / turn
+        notes.append(f"Shown: the first {LIMITS.max_turn * (LIMITS.max_samples - 1) / (2 * np.pi):.0f} turns, "
                      f"{shown - start:.4g} s of {end - start:.4g} s.")  # fmt: skip
-    count = int(np.clip(np.ceil(min(turn, COARSE * MOST) / FINE) + 1, min(len(times), MOST), MOST))
-    if len(times) > MOST:
+    fine = np.ceil(min(turn, LIMITS.max_turn * LIMITS.max_samples) / LIMITS.fine_turn) + 1
+    count = int(np.clip(fine, min(len(times), LIMITS.max_samples), LIMITS.max_samples))
+    if len(times) > LIMITS.max_samples:
         notes.append(f"Evaluated at {count} times for display; the trajectory has {len(times)} samples.")
     again = motion.sample(np.linspace(start, shown, count))
     return replace(_plain(again), joined=True, notes=tuple(notes))
@@ -97,8 +108,8 @@ def _thin(trajectory: Trajectory) -> Samples:
     samples = _plain(trajectory)
     count = len(samples.times)
     notes = []
-    if count > MOST:
-        step = -(-count // MOST)
+    if count > LIMITS.max_samples:
+        step = -(-count // LIMITS.max_samples)
         samples = _take(samples, slice(None, None, step))
         notes.append(f"Thinned for display: every {_ordinal(step)} of {count} samples.")
     joined = _largest_turn(trajectory.layout, samples) <= JOINED

@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from polhode.bodies._turned import tube
 from polhode.bodies.surface import Surface, box_of_same_inertia, join_surfaces, weld_corners
 from polhode.types import Array, ArrayLike, Float64, Real
 
-MOST_FACES = 8000  # about 0.15 MB
-LEANING = 0.05  # rad from a principal axis to the centre of mass up to which a stem along that axis looks right
-CELESTIAL = 1e12  # kg m²; the largest spacecraft have 1e8
-RIM = 48  # corners of a disk's rim
+
+class ShapeLimits(NamedTuple):
+    """Numbers that decide which shape is drawn."""
+
+    max_faces: int = 8000  # about 0.15 MB
+    max_lean: float = 0.05  # rad from a principal axis to the centre of mass; a stem along that axis looks right
+    max_moment: float = 1e12  # kg m², beyond which a body is celestial; the largest spacecraft have 1e8
+
+
+LIMITS = ShapeLimits()
 
 
 def body_shape(moments: Real[ArrayLike, "3"] | None, surface: Surface | None) -> tuple[Surface | None, str]:
@@ -23,7 +31,7 @@ def body_shape(moments: Real[ArrayLike, "3"] | None, surface: Surface | None) ->
     """
     if surface is not None:
         whole = surface if surface.paint is not None else weld_corners(surface)  # colours may change where pieces meet
-        small = whole.coarsened(MOST_FACES)
+        small = whole.coarsened(LIMITS.max_faces)
         return small, "" if small is whole else "its mesh, coarsened"
     if moments is None:
         return None, "axes only, as nothing is known of the body's shape"
@@ -35,7 +43,7 @@ def body_shape(moments: Real[ArrayLike, "3"] | None, surface: Surface | None) ->
 
 def is_celestial(moments: Real[ArrayLike, "3"]) -> bool:
     """Whether a body of unknown shape is so large that it is round, and not a box: a planet, a moon, an asteroid."""
-    return bool(np.max(moments) > CELESTIAL and np.all(semi_axes_squared(moments) > 0.0))
+    return bool(np.max(moments) > LIMITS.max_moment and np.all(semi_axes_squared(moments) > 0.0))
 
 
 def semi_axes_squared(moments: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
@@ -57,8 +65,9 @@ def top_shape(
         axis: (3,) from pivot to centre of mass.
         surface: of the body, if known.
     """
+    rim = 48  # corners of the disk's rim
     along = np.abs(np.asarray(axis, dtype=float))
-    if surface is not None or np.sort(along)[1] > LEANING * along.max():
+    if surface is not None or np.sort(along)[1] > LIMITS.max_lean * along.max():
         return body_shape(moments, surface)
     k = int(along.argmax())
     i, j = (k + 1) % 3, (k + 2) % 3
@@ -69,7 +78,7 @@ def top_shape(
         return body_shape(moments, None)
     h, (a, b) = np.sqrt(height) * np.sign(np.asarray(axis)[k]), np.sqrt(across)
     size = max(abs(h), a, b)
-    disk, stem = tube(1.0, 0.06 * size, sections=RIM), tube(0.035 * size, abs(h), sections=RIM)
+    disk, stem = tube(1.0, 0.06 * size, sections=rim), tube(0.035 * size, abs(h), sections=rim)
     middle = np.array([0.0, 0.0, h])
     solid = join_surfaces([Surface(disk.vertices * [a, b, 1.0] + middle, disk.faces),
                    Surface(stem.vertices + 0.5 * middle, stem.faces)])  # fmt: skip

@@ -12,7 +12,6 @@ from polhode._base.arrays.namespaces import namespace
 if TYPE_CHECKING:
     from polhode._base.arrays.elementwise import Elementwise
 
-STEP = 0.003  # of the distance over which the values change by their own size
 # Σ w_k f(x + kh) = h f′(x) exactly for polynomials up to degree eight; the error is h⁸ f⁽⁹⁾/630, for a step of 0.003 of
 # the scale 1e-23 of f′. What remains is rounding of f over the step, some 1e-13.
 PLACES = np.asarray([-4.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 4.0])
@@ -57,6 +56,7 @@ def differences(function: Elementwise, *arguments: Any) -> tuple[tuple[Any, ...]
 
 def _steps(xp: Any, function: Elementwise, spread: list[Any], values: tuple[Any, ...], columns: Any) -> Any:
     """Return the step along each argument (batch…, N)."""
+    step = 0.003  # of the distance over which the values change by their own size
     scales = []
     for k, x in enumerate(spread):
         size = xp.max(xp.abs(x), axis=-1, keepdims=True)
@@ -71,4 +71,4 @@ def _steps(xp: Any, function: Elementwise, spread: list[Any], values: tuple[Any,
     # a value of size S and slope s changes by its own size over the length S/s
     sensitivity = xp.max(xp.abs(columns) / xp.concat(sizes, axis=-1)[..., None], axis=-2)
     own = 1.0 / xp.where(sensitivity > 0, sensitivity, 1e-300)
-    return STEP * xp.minimum(xp.concat(scales, axis=-1), own)
+    return step * xp.minimum(xp.concat(scales, axis=-1), own)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache, lru_cache, wraps
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -12,8 +12,16 @@ from polhode._base.arrays.namespaces import is_traced, is_tracing
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 QUICKLY = {"xla_cpu_use_fusion_emitters": False, "xla_backend_optimization_level": 0}  # a third of the time
-FEW = 1 << 18  # numbers that a call takes: of more, what runs slower counts
-KEPT = 128  # of a function: how many shapes its steps are kept for
+
+
+class CallLimits(NamedTuple):
+    """Numbers that decide how a function is compiled and how much of it is kept."""
+
+    max_numbers: int = 1 << 18  # that a call takes: of more, what runs slower counts
+    max_shapes: int = 128  # of a function, for which its steps are kept
+
+
+LIMITS = CallLimits()
 
 
 def compiled_quickly(function: Function) -> Function:
@@ -60,7 +68,7 @@ def _computed_by_numpy(
     import jax
 
     compiled = compiled_quickly(function)
-    written = lru_cache(maxsize=KEPT)(lambda tree, kinds: _write(function, tree, kinds, convert))
+    written = lru_cache(maxsize=LIMITS.max_shapes)(lambda tree, kinds: _write(function, tree, kinds, convert))
 
     def compile_and_call(*args: Any, **kwargs: Any) -> Any:
         results = compiled(*args, **kwargs)
@@ -86,7 +94,7 @@ def _is_array(leaf: Any) -> bool:
 
 def _are_few(arrays: list[Any]) -> bool:
     """Whether arrays are small, and none is differentiated: there JAX takes no options of the compiler."""
-    return sum(map(np.size, arrays)) <= FEW and not is_traced(*arrays)
+    return sum(map(np.size, arrays)) <= LIMITS.max_numbers and not is_traced(*arrays)
 
 
 def _kind(leaf: Any) -> tuple[Any, ...]:

@@ -13,10 +13,18 @@ from polhode._base.arrays.namespaces import is_traced
 from polhode._base.arrays.steps import INNER, split_scan
 from polhode.errors import InvalidInput
 
-LARGEST = 100_000  # entries of an array of indices that is followed, of a table of neighbours; larger ones take seconds
-MOST_ROUNDS = 10_000  # of loops in one function, times the operations in them, that are followed: about 50 ms
 INDICES = ("i", "u", "b")  # kinds of numbers that indices are made of
 Known = dict[Any, np.ndarray]
+
+
+class IndexLimits(NamedTuple):
+    """Numbers that decide which indices are followed."""
+
+    max_entries: int = 100_000  # of an array of indices, of a table of neighbours; larger ones take seconds
+    max_rounds: int = 10_000  # of loops in one function, times the operations in them: about 50 ms
+
+
+LIMITS = IndexLimits()
 
 
 class Beyond(NamedTuple):
@@ -58,7 +66,7 @@ def _find(jaxpr: Any, known: Known, left: list[int] | None = None) -> Iterator[B
         known: values of its variables.
         left: how many operations within loops may still be followed.
     """
-    left = [MOST_ROUNDS] if left is None else left
+    left = [LIMITS.max_rounds] if left is None else left
     for equation in jaxpr.eqns:
         values = [_value(x, known) for x in equation.invars]
         if look := LOOKS.get(equation.primitive.name):
@@ -118,7 +126,7 @@ def _can_follow(equation: Any) -> bool:
 
 def _can_be_followed(aval: Any) -> bool:
     kind = getattr(getattr(aval, "dtype", None), "kind", "")
-    return kind in INDICES and math.prod(aval.shape) <= LARGEST
+    return kind in INDICES and math.prod(aval.shape) <= LIMITS.max_entries
 
 
 def _inner(equation: Any, values: list[Any]) -> list[tuple[Any, list[Any]]]:

@@ -9,12 +9,21 @@ from __future__ import annotations
 import contextlib
 import os
 from pathlib import Path
+from typing import NamedTuple
 
 from polhode._base.seals import drop_oldest, read_sealed, write_sealed
 
 FOLDER = "POLHODE_COMPILED_CACHE"  # in the environment: where a command keeps what JAX compiles
-LARGEST = 300_000_000  # bytes of all that is kept; what was not used for the longest time goes first
-MANY = 100_000  # entries
+
+
+class CacheLimits(NamedTuple):
+    """Numbers beyond which what was not used for the longest time is dropped."""
+
+    max_bytes: int = 300_000_000  # of all that is kept
+    max_entries: int = 100_000
+
+
+LIMITS = CacheLimits()
 
 
 class SealedPrograms:
@@ -26,7 +35,7 @@ class SealedPrograms:
     def get(self, key: str) -> bytes | None:
         """Return what was put under a key; None for a missing or damaged entry."""
         place = self._place(key)
-        content = read_sealed(place, LARGEST)
+        content = read_sealed(place, LIMITS.max_bytes)
         if content is not None:
             with contextlib.suppress(OSError):
                 os.utime(place)
@@ -34,9 +43,9 @@ class SealedPrograms:
 
     def put(self, key: str, value: bytes) -> None:
         """Keep an entry, where there is room."""
-        if len(value) <= LARGEST:
+        if len(value) <= LIMITS.max_bytes:
             write_sealed(self._place(key), value)
-            drop_oldest(self._path.glob("*"), MANY, LARGEST)
+            drop_oldest(self._path.glob("*"), LIMITS.max_entries, LIMITS.max_bytes)
 
     def _place(self, key: str) -> Path:
         return self._path / f"{key}-cache"

@@ -12,7 +12,15 @@ from polhode.types import Array, Shaped
 
 INNER = ("jaxpr", "call_jaxpr", "fun_jaxpr")
 LOOPS = ("scan", "while", "cond")
-MOST = 20_000  # operations of a loop, from which on compiling it takes less time
+
+
+class StepLimits(NamedTuple):
+    """A number that decides whether a loop is compiled."""
+
+    max_operations: int = 20_000  # of a loop; with more, compiling it takes less time
+
+
+LIMITS = StepLimits()
 
 
 class NoSteps(Exception):
@@ -146,7 +154,7 @@ def split_scan(parameters: dict[str, Any]) -> tuple[int, int]:
 def _scan(parameters: dict[str, Any]) -> Callable[[list[Array], Any], list[Any]]:
     body, (fixed, carried) = Steps(parameters["jaxpr"]), split_scan(parameters)
     length, jaxpr = parameters["length"], parameters["jaxpr"]
-    if length * body.count > MOST:
+    if length * body.count > LIMITS.max_operations:
         raise NoSteps("a long loop")
     order = range(length)[:: -1 if parameters["reverse"] else 1]
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from types import FunctionType
-from typing import Any
+from typing import Any, NamedTuple
 
 from filelock import FileLock
 from numba import njit, typeof
@@ -18,8 +18,16 @@ from numba.core.caching import IndexDataCacheFile
 from polhode._base.seals import read_sealed, write_sealed
 
 _TAKE: Any = njit  # whose types do not know all of its options
-LONGEST = 600.0  # s that another process may take to compile
-LARGEST = 100_000_000  # bytes of a compiled function, of which the largest has some hundred thousand
+
+
+class CompilingLimits(NamedTuple):
+    """Numbers that decide how long another process is waited for, and which files are read."""
+
+    max_wait: float = 600.0  # s that another process may take to compile
+    max_bytes: int = 100_000_000  # of a compiled function, of which the largest has some hundred thousand
+
+
+LIMITS = CompilingLimits()
 
 
 def compile_part(function: Callable[..., Any], inlined: bool = True) -> Any:
@@ -77,7 +85,7 @@ class CompiledFunction:
 
     @contextmanager
     def _alone(self) -> Iterator[None]:
-        lock = FileLock(self._place / f"{self.dispatcher.__qualname__}.lock", timeout=LONGEST)
+        lock = FileLock(self._place / f"{self.dispatcher.__qualname__}.lock", timeout=LIMITS.max_wait)
         try:
             lock.acquire()
         except (OSError, NotImplementedError):  # read-only, without locks, or held for too long
@@ -105,7 +113,7 @@ class _SealedFiles(IndexDataCacheFile):
     """Numba's files of one function, which it would read without a checksum, and run."""
 
     def _load_index(self) -> dict[Any, str]:
-        content = read_sealed(Path(self._index_path), LARGEST)
+        content = read_sealed(Path(self._index_path), LIMITS.max_bytes)
         if content is None:
             return {}
         version, stamp, names = pickle.loads(content)
@@ -115,7 +123,7 @@ class _SealedFiles(IndexDataCacheFile):
         self._write(Path(self._index_path), (self._version, self._source_stamp, overloads))
 
     def _load_data(self, name: str) -> Any:
-        content = read_sealed(Path(self._data_path(name)), LARGEST)
+        content = read_sealed(Path(self._data_path(name)), LIMITS.max_bytes)
         if content is None:
             raise FileNotFoundError(name)  # so that Numba compiles again
         return pickle.loads(content)

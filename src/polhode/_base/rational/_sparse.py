@@ -5,14 +5,23 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator
 from fractions import Fraction
+from typing import NamedTuple
 
 import numpy as np
 
 from polhode._base.rational._terms import Terms
 from polhode.errors import InvalidInput, not_installed
 
-MOST_WORK = 5e9  # rows × columns² of one block of equations: some six seconds of exact elimination, without a break
 REMEDY = "Lower the degree; `stability` takes Casimirs that are known otherwise by `casimirs=`."
+
+
+class SolvingLimits(NamedTuple):
+    """A number beyond which equations are refused."""
+
+    max_work: float = 5e9  # rows × columns² of one block: some six seconds of exact elimination, without a break
+
+
+LIMITS = SolvingLimits()
 
 
 def null_space(rows: list[dict[int, Fraction]], columns: int) -> list[dict[int, Fraction]]:
@@ -78,10 +87,10 @@ def _blocks(rows: list[dict[int, Fraction]], columns: int) -> Iterator[tuple[lis
     blocks = [(block, unknowns) for block, unknowns in together.values() if block]
     largest = max(blocks, key=lambda pair: len(pair[0]) * len(pair[1]) ** 2)
     equations, unknown = len(largest[0]), len(largest[1])
-    if equations * unknown**2 > MOST_WORK:
+    if equations * unknown**2 > LIMITS.max_work:
         raise InvalidInput(
             f"exact linear algebra would take {equations} equations for {unknown} unknowns at once, and at most "
-            f"{MOST_WORK:.0e} rows × columns² are solved here, which is some seconds. {REMEDY}"
+            f"{LIMITS.max_work:.0e} rows × columns² are solved here, which is some seconds. {REMEDY}"
         )
     yield from blocks
 

@@ -13,7 +13,6 @@ from itertools import pairwise
 from polhode._base.rational._matrices import is_hurwitz, shift_origin
 
 Coefficients = list[Fraction]
-BISECTIONS = 60  # of a root between two powers of two: below a rounding error of a double
 
 
 def trim(p: Sequence[Fraction]) -> Coefficients:
@@ -94,6 +93,7 @@ def has_root_to_the_right(p: Sequence[Fraction]) -> bool:
 
 def largest_real_part(p: Sequence[Fraction]) -> float:
     """Return the largest real part of the roots where that is positive, else zero, to a double's last digits."""
+    bisections = 60  # of a root between two powers of two: below a rounding error of a double
     p = trim(p)
     if len(p) < 2 or not has_root_to_the_right(p):
         return 0.0
@@ -104,7 +104,7 @@ def largest_real_part(p: Sequence[Fraction]) -> float:
     while not has_root_to_the_right(shift_origin(p, high / 2)):
         high /= 2
     low = high / 2
-    for _ in range(BISECTIONS):
+    for _ in range(bisections):
         middle = (low + high) / 2
         low, high = (middle, high) if has_root_to_the_right(shift_origin(p, middle)) else (low, middle)
     return float(low)

@@ -12,7 +12,7 @@ import re
 from decimal import Decimal
 from fractions import Fraction
 from numbers import Rational, Real
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,10 +23,19 @@ READINGS = {
     "decimal": "each double is the shortest decimal that rounds to it",
 }
 EXACT = "exact"  # what is read where nothing else is said, everywhere
-LONGEST = 4_300  # characters of a number in a text: Python itself reads no more digits
-LARGEST_EXPONENT = 5_000  # of ten: with a hundred million Python computes for minutes, before anything can look
-LARGEST_BINARY_EXPONENT = 1_000  # of numbers of SymPy and mpmath: what doubles hold, with room for more bits below
 _TEXT = re.compile(r"[+-]?(?:[0-9]+/[0-9]+|(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE](?P<exponent>[+-]?[0-9]+))?)")
+
+
+class NumberLimits(NamedTuple):
+    """Numbers beyond which a number is not read as a rational."""
+
+    max_digits: int = 4_300  # characters of a number in a text: Python itself reads no more digits
+    # of ten: with a hundred million Python computes for minutes, before anything can be checked
+    max_exponent: int = 5_000
+    max_binary_exponent: int = 1_000  # of numbers of SymPy and mpmath: what doubles hold, with room for more bits below
+
+
+LIMITS = NumberLimits()
 
 
 def read_number(value: Any, read_as: str = EXACT, name: str = "number") -> Fraction:
@@ -72,7 +81,7 @@ def read_number(value: Any, read_as: str = EXACT, name: str = "number") -> Fract
 def _read_binary(name: str, value: Any) -> Fraction:
     """Return a Float of SymPy or of mpmath, which has any count of bits."""
     sign, mantissa, exponent, size = map(int, value._mpf_)
-    if abs(exponent + size) > LARGEST_BINARY_EXPONENT or (exponent and not mantissa):  # infinities and NaN have none
+    if abs(exponent + size) > LIMITS.max_binary_exponent or (exponent and not mantissa):  # infinities and NaN have none
         raise InvalidInput(f"`{name}` must be finite and within 1e±300; got a {type(value).__name__} beyond.")
     return (-1) ** sign * mantissa * Fraction(2) ** exponent
 
@@ -92,18 +101,18 @@ def check_reading(read_as: Any) -> None:
 
 
 def _read_text(name: str, text: str) -> Fraction:
-    parts = _TEXT.fullmatch(text.strip()) if len(text) <= LONGEST else None
-    if parts is not None and abs(int(parts["exponent"] or 0)) <= LARGEST_EXPONENT:
+    parts = _TEXT.fullmatch(text.strip()) if len(text) <= LIMITS.max_digits else None
+    if parts is not None and abs(int(parts["exponent"] or 0)) <= LIMITS.max_exponent:
         try:
             return Fraction(parts[0])
         except ZeroDivisionError:
             pass
     raise InvalidInput(f'`{name}` must be decimals like "0.3" or a quotient like "1/3", finite and within '
-                       f"1e±{LARGEST_EXPONENT}; got {shown(text)}.")  # fmt: skip
+                       f"1e±{LIMITS.max_exponent}; got {shown(text)}.")  # fmt: skip
 
 
 def _read_decimal(name: str, value: Decimal) -> Fraction:
     digits, exponent = value.as_tuple()[1:]
-    if isinstance(exponent, str) or abs(exponent) > LARGEST_EXPONENT or len(digits) > LONGEST:
-        raise InvalidInput(f"`{name}` must be finite and within 1e±{LARGEST_EXPONENT}; got {shown(value)}.")
+    if isinstance(exponent, str) or abs(exponent) > LIMITS.max_exponent or len(digits) > LIMITS.max_digits:
+        raise InvalidInput(f"`{name}` must be finite and within 1e±{LIMITS.max_exponent}; got {shown(value)}.")
     return Fraction(value)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -33,13 +33,20 @@ from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy, stability_values, verdicts
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport
-from polhode.reports.wording import FAST, angles, rate, vector
+from polhode.reports.wording import LIMITS as UNIT_LIMITS
+from polhode.reports.wording import angles, rate, vector
 from polhode.types import ArrayLike, Real
 
-SAMPLES = 2000
-PERIODS = 10
-EXACT_TURNS = 2.0**50
-LARGEST = 1e200  # of energies and momenta in SI; products of the two stay within the range of numbers
+
+class FreeBodyLimits(NamedTuple):
+    """Numbers that decide whether a spin is refused and a phase is doubted."""
+
+    # energy and momentum in SI, and their reciprocal; products of the two stay within the range of numbers
+    largest: float = 1e200
+    max_exact_turns: float = 2.0**50
+
+
+LIMITS = FreeBodyLimits()
 
 
 @dataclass(frozen=True)
@@ -85,7 +92,7 @@ class FreeBodyReport(MotionReport):
         motion, principal = self.motion, "principal axes"
         velocity = motion.momentum_at_epoch / motion.moments
         speed, lean = float(np.linalg.norm(velocity)), velocity_angles(motion)
-        words = f"{rate(speed)} = {math.degrees(speed):.6g}°/s" if speed < FAST else rate(speed)
+        words = f"{rate(speed)} = {math.degrees(speed):.6g}°/s" if speed < UNIT_LIMITS.fast else rate(speed)
         return Group("Start", [
             Answer("angular_velocity", velocity, "rad/s", "Ω", principal, f"{vector(velocity)} rad/s  ({principal})"),
             Answer("angular_speed", speed, "rad/s", "|Ω|", "", words),
@@ -147,7 +154,7 @@ class FreeBodyReport(MotionReport):
             )
         farthest = float(np.abs(np.asarray(self.trajectory.times)).max())
         turns = farthest * fastest_rate(self.motion) / (2.0 * math.pi)
-        if turns > EXACT_TURNS:
+        if turns > LIMITS.max_exact_turns:
             note = f"the times reach {turns:.1e} turns; beyond 2⁵⁰ the error of the attitude grows with them, and the "
             notes.append(note + "spin itself, known to 16 digits, no longer says how the body lies.")
         return notes
@@ -205,7 +212,7 @@ def free_body_report(
     momentum: Real[ArrayLike, "3"],
     attitude: Real[ArrayLike, "4"],
     times: Real[ArrayLike, "time"] | None = None,
-    samples: int = SAMPLES,
+    samples: int = 2000,
 ) -> FreeBodyReport:
     """Return the report on a body's free motion.
 
@@ -219,15 +226,16 @@ def free_body_report(
     Raises:
         InvalidInput: for a body with a vanishing moment, or values that are not finite.
     """
+    periods = 10
     motion = _motion_of(body, momentum, attitude)
     energy, size = float(motion.energy), float(motion.momentum_norm)
-    if any(x and not 1.0 / LARGEST < x < LARGEST for x in (energy, size)) or (size and not energy):
+    if any(x and not 1.0 / LIMITS.largest < x < LIMITS.largest for x in (energy, size)) or (size and not energy):
         raise InvalidInput(
             f"the spin must give an energy and |L| within 1e±200, or none; its momentum is "
             f"{np.asarray(momentum).tolist()} kg m²/s. Check the rate and its unit."
         )
     if times is None:
-        times = np.linspace(0.0, PERIODS * motion.cycle, samples)
+        times = np.linspace(0.0, periods * motion.cycle, samples)
     return FreeBodyReport(
         body=body,
         motion=motion,

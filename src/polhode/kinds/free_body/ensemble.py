@@ -13,7 +13,7 @@ from polhode.analysis.cone import rotation_forms
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.free_body._geometry import REGIMES
 from polhode.kinds.ensembles import Ensemble, ManySpecs
-from polhode.kinds.free_body.answers import LARGEST
+from polhode.kinds.free_body.answers import LIMITS
 from polhode.motion._invariants import norm
 from polhode.spec.building import build_spin
 from polhode.spec.models import SpinTable
@@ -174,8 +174,8 @@ def _refuse(moments: Any, momentum: Any, refused: dict[int, str]) -> None:
     """Note the bodies that ``answers.free_body_report`` would refuse."""
     with np.errstate(all="ignore"):
         energy, size = 0.5 * np.sum(momentum / moments * momentum, axis=1), norm(np, momentum)
-        far = ~((energy < LARGEST) & (size < LARGEST))
-        close = (size > 0.0) & ~((energy > 1.0 / LARGEST) & (size > 1.0 / LARGEST))
+        far = ~((energy < LIMITS.largest) & (size < LIMITS.largest))
+        close = (size > 0.0) & ~((energy > 1.0 / LIMITS.largest) & (size > 1.0 / LIMITS.largest))
     for k in np.flatnonzero(moments[:, 0] <= 0.0):
         refused.setdefault(int(k), "the body is a thin rod, whose spin about its own axis is not defined")
     for k in np.flatnonzero(far | close):

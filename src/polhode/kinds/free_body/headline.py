@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,7 +13,14 @@ from polhode.motion._inputs import number_of
 from polhode.reports.wording import angles, in_its_unit
 from polhode.types import Float64, FloatOrArray
 
-ALONG = 1e-12  # rad; an axis as near to L counts as the one that the body spins about
+
+class HeadlineLimits(NamedTuple):
+    """A number that decides how a steady motion is described."""
+
+    max_angle: float = 1e-12  # rad; an axis as near to L counts as the one that the body spins about
+
+
+LIMITS = HeadlineLimits()
 
 
 def headline(motion: FreeMotion) -> str:
@@ -33,7 +41,7 @@ def _steady(motion: FreeMotion) -> str:
         return f"Steady spin: all moments are equal, and the body turns about a fixed axis, once in {turn}."
     leaning = axis_angles(motion)
     assert leaning is not None
-    near = [k for k in range(3) if min(leaning[k, 1], math.pi - leaning[k, 0]) < ALONG]
+    near = [k for k in range(3) if min(leaning[k, 1], math.pi - leaning[k, 0]) < LIMITS.max_angle]
     about = f"axis {near[0] + 1}{_rank(motion, near[0])}" if near else "an axis of the plane of equal moments"
     return f"Steady spin about {about}, fixed in the body and in space, once in {turn}."
 

@@ -17,8 +17,6 @@ from polhode.systems.body_with_rotor import RotorInBody, find_direction, rotor_i
 from polhode.systems.gyrostat import TorquedGyrostat
 from polhode.types import Array
 
-TURNS = 10
-
 
 def build(spec: Spec[GyrostatTable]) -> RotorInBody:
     """Return the gyrostat of a spec and its start.
@@ -73,7 +71,8 @@ def _start(spec: Spec[GyrostatTable], rotor: Array) -> tuple[Array, Array]:
 
 def _span(table: GyrostatTable, assembly: RotorInBody) -> float:
     """Return ten turns [s], or of a body at rest the time in which its motor gives the rotor ten."""
+    turns = 10
     if assembly.usual_rate:
-        return TURNS * 2.0 * math.pi / assembly.usual_rate
+        return turns * 2.0 * math.pi / assembly.usual_rate
     torque = abs(table.motor_torque or 0.0)
-    return math.sqrt(4.0 * math.pi * TURNS * table.rotor_moment / torque) if torque else 1.0
+    return math.sqrt(4.0 * math.pi * turns * table.rotor_moment / torque) if torque else 1.0

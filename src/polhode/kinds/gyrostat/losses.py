@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,8 +16,16 @@ from polhode.reports.wording import duration
 from polhode.systems.body_with_rotor import find_direction
 from polhode.types import Array, Float64
 
-NEARLY = 0.01  # of a moment: how far a body may be from one of revolution about the rotor's axis
 EFFECTS = {"calm": "calm nutation", "raise": "raise nutation", "leave": "leave it, to first order"}
+
+
+class LossLimits(NamedTuple):
+    """A number that decides whether the damping of a dual-spin body is judged."""
+
+    max_asymmetry: float = 0.01  # of a moment: how far a body may be from one of revolution about the rotor's axis
+
+
+LIMITS = LossLimits()
 
 
 def judge_losses(table: GyrostatTable, body: Body, angular_velocity: Float64[Array, "3"]) -> DualSpinDamping | None:
@@ -38,7 +47,7 @@ def judge_losses(table: GyrostatTable, body: Body, angular_velocity: Float64[Arr
     off = inertia - across * np.eye(3) - (along - across) * np.outer(axis, axis)
     platform, spin = along - table.rotor_moment, float(axis @ angular_velocity)
     momentum = along * spin + table.rotor_moment * table.rotor_rate
-    if np.abs(off).max() > NEARLY * across or not platform > 0.0 or momentum == 0.0:
+    if np.abs(off).max() > LIMITS.max_asymmetry * across or not platform > 0.0 or momentum == 0.0:
         return None
     losses = (table.platform_loss or 0.0, table.rotor_loss or 0.0)
     try:
