@@ -36,7 +36,7 @@ def test_page_is_named_after_the_spec_and_opened(run, tmp_path, monkeypatch):
     assert len(asked) == 1 and (tmp_path / "other.html").stat().st_size < 1_500_000
     monkeypatch.setattr(webbrowser, "open", lambda url: False)
     code, _, err = run("view", "case.toml")
-    assert code == 0 and "no browser was found" in err
+    assert code == 0 and "there is no browser" in err
 
 
 @pytest.mark.long

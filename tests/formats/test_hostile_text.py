@@ -174,7 +174,7 @@ LADDER = [{"children": [k + 1, k + 1]} for k in range(60)] + [{"mesh": 0}]
     ({"buffers": [{"byteLength": 36, "uri": "/etc/passwd"}]}, "keeps its mesh in another file"),
     ({"buffers": [{"byteLength": 36, "uri": "http://localhost/a"}]}, "keeps its mesh in another file"),
     ({"extensionsUsed": ["KHR_draco_mesh_compression"]}, "is compressed"),
-    ({"nodes": LADDER}, "stands in two places"),
+    ({"nodes": LADDER}, "in two places"),
     ({"nodes": [{"children": [0]}]}, "cannot be read|no triangles"),
     ({"nodes": [{"mesh": 7}]}, "not one of glTF"),
     ({"meshes": 3}, "not one of glTF"),

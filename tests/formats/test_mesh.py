@@ -205,7 +205,7 @@ def test_repair_says_what_it_did(tmp_path):
     assert "dropped 1 triangles that lay on others (1 places)" in note
     assert ph.Body.from_mesh(read.vertices, read.faces, density=1.0).mass == pytest.approx(mesh.volume, rel=HOLES)
     whole = load_mesh(saved(tmp_path, mesh), 1.0, repair=True)
-    assert whole.notes == ("repair found nothing to mend.",) and load_mesh(saved(tmp_path, mesh), 1.0).notes == ()
+    assert whole.notes == ("repair had nothing to mend.",) and load_mesh(saved(tmp_path, mesh), 1.0).notes == ()
 
 
 def test_large_holes_stay_open(tmp_path):

@@ -105,7 +105,7 @@ def bent_kind(kind, **bent):
         ("free-body", {"table": int}, "`table` is a class derived from SystemTable"),
         ("free-body", {"figures": lambda self: None}, "`figures` returns a mapping"),
         ("free-body", {"panel": lambda self: 3}, "`panel` returns a KindPanel or None"),
-        ("free-body", {"__module__": "__main__"}, "a kind stands in a folder"),
+        ("free-body", {"__module__": "__main__"}, "a kind is a folder"),
         ("free-body", {"figure_names": ("sphere",)}, "`figures` has the names of `figure_names`"),
         ("free-body", {"has_attitude": False}, "`has_attitude` says whether"),
         ("free-body", {"answers_without_motion": lambda self, spec: [Group("", [Answer("energy", 1.0)])]},

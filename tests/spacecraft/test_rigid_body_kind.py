@@ -203,7 +203,7 @@ def test_a_spec_of_another_kind_says_where_the_tables_go(tmp_path):
     with pytest.raises(InvalidInput) as caught:
         spec(tmp_path, BODY + SPIN + ORBIT)
     assert 'orbit: goes with another system; write system = "rigid-body" at the top' in str(caught.value)
-    with pytest.raises(InvalidInput, match=r"stands at the top of the file"):
+    with pytest.raises(InvalidInput, match=r"belongs at the top of the file"):
         spec(tmp_path, '[system]\nkind = "rigid-body"\norbit = { period = "1 h" }\n' + BODY)
 
 

@@ -247,7 +247,7 @@ REFUSED = {
     'shape = "cylinder"\nradius = "1 m"\nheight = "1 m"\nmass = "1 kg"\nopen_ends = true': "open_ends goes with shell",
     'shape = "cylinder"\nradius = "1 m"\nheight = "1 m"\nmass = "1 kg"\nthickness = "3 m"': "the wall fills the shape",
     'shape = "cone"\nradius = "1 m"\nheight = "1 m"\nmass = "1 kg"\nshell = true': "a cone has no shell",
-    'spec = "b.toml"\nmass = "1 kg"': "mass of another spec's body stands in that spec",
+    'spec = "b.toml"\nmass = "1 kg"': "mass of another spec's body is given in that spec",
     'spec = "none.toml"': "none.toml",
     'spec = "case.toml"': "is part of itself: case.toml → case.toml",
     'inertia = [["1 kg*m^2", "0 kg*m^2", "0 kg*m^2"], ["0 kg*m^2", "1 kg*m^2", "0 kg*m^2"], '

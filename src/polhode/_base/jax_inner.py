@@ -1,8 +1,8 @@
 """What polhode uses of JAX that JAX does not promise to keep: its interpreters, programs, tracers and its cache.
 
-All of it is named here alone, so that a new version of JAX is met in one file; tests/test_jax_inner.py looks at that,
-and the default tests run by the oldest JAX that is allowed and by the newest. Whoever must not import JAX before an
-array of it has come imports this file where it is needed.
+All of it is named here alone, so that a new version of JAX is met in one file; tests/test_jax_inner.py checks that,
+and the default tests run by the oldest JAX that is allowed and by the newest. Modules that must not import JAX before
+one of its arrays has come import this file where they need it.
 """
 
 from jax.core import ShapedArray as ShapedArray

@@ -1,12 +1,12 @@
 """Seals of files that polhode writes for itself and reads back: reports, pages, marks of sweeps, compiled functions.
 
-A disk or a memory that loses a bit changes a number without a word, and bytes that are unpickled or run as machine code
-may do anything. So such a file begins with the SHA-256 of what follows, which is read only where both agree; else it is
-as if the file were not there, and its content is made again.
+A disk or a memory that loses a bit changes a number silently, and bytes that are unpickled or run as machine code
+may do anything. So such a file begins with the SHA-256 of the rest, which is read only where both agree; a damaged file
+counts as missing, and its content is made again.
 
 What follows begins with the file's own name, so that a copy or a renamed file counts as missing. Only files that nobody
 but this user or root can have written are read: a seal tells damage, not intent. Files appear whole or not at all, so
-that of several processes that write the same one, any may win.
+that several processes may write one, and any of them may win.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def seal(content: bytes) -> bytes:
 
 
 def unseal(sealed: bytes) -> bytes | None:
-    """Return the content under a seal; None where it is not what was sealed.
+    """Return the content under a seal; None where the two disagree.
 
     >>> unseal(seal(b"numbers")), unseal(seal(b"numbers")[:-1] + b"t")
     (b'numbers', None)
@@ -56,7 +56,7 @@ def write_sealed(path: Path, content: bytes) -> None:
 
 
 def read_sealed(path: Path, largest: int) -> bytes | None:
-    """Return what was written into a file; None for a missing or damaged one, and for what others may have written.
+    """Return the content of a sealed file; None for a missing or damaged one, and for one that others may have written.
 
     Args:
         path: the file.

@@ -1,8 +1,8 @@
 """Which moments are equal, and which are zero, to the digits of the data that they come from.
 
-One rule wherever moments are judged: two that differ by no more than what is unsure about them are equal, and one that
-does not rise above it is zero. What is unsure comes from the rounding of an inertia's entries, or from the digits of
-the positions that it was computed from.
+One rule wherever moments are judged: two that differ by no more than their uncertainty are equal, and one within its
+uncertainty of zero is zero. The uncertainty comes from the rounding of an inertia's entries, or from the digits of the
+positions behind them.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ import numpy as np
 
 from polhode.types import Array, Float64, Real
 
-DECIMALS = range(3, 9)  # of positions, that programs print; more are as good as exact
+DECIMALS = range(3, 9)  # of positions, as programs print them; more digits count as exact
 
 
 class DigitLimits(NamedTuple):
     """A number that decides whether numbers are whole multiples of a digit."""
 
-    max_rounding: float = 1e-5  # of a unit of the last digit: what a float leaves of a whole number of them
+    max_rounding: float = 1e-5  # of a unit of the last digit: rounding of a float that should be a whole multiple
 
 
 LIMITS = DigitLimits()
@@ -29,10 +29,11 @@ LIMITS = DigitLimits()
 def judge_moments(
     moments: Float64[Array, "3"], unsure: Float64[Array, "3"]
 ) -> tuple[Float64[Array, "3"], list[list[int]]]:
-    """Return moments (3,), made zero or equal where they are so within their uncertainty, and which are equal.
+    """Return moments (3,), set to zero or equal where they are so within their uncertainty, and the groups of equal
+    ones.
 
-    If one is zero, mass lies on its axis alone, and the other two are equal: a difference that the rounding of all
-    three can make is none.
+    If one is zero, mass lies on its axis alone, and the other two are equal: a difference within the rounding of all
+    three is dropped.
 
     Args:
         moments: ascending.

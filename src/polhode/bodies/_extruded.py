@@ -34,16 +34,16 @@ def triangulate(corners: Real[Array, "n 2"]) -> Integer[Array, "m 3"]:
     Source: Meisters, Amer. Math. Monthly 82 (1975) 648: every simple polygon has two ears.
     """
     left = list(range(len(corners)))
-    found: list[tuple[int, int, int]] = []
+    triangles: list[tuple[int, int, int]] = []
     k = 0
     while len(left) > 3:
         turns = (k + np.arange(len(left))) % len(left)
         # without an ear, which rounding may hide, any corner
         k = next((int(turn) for turn in turns if _is_ear(corners, left, int(turn))), k)
-        found.append((left[k - 1], left[k], left[(k + 1) % len(left)]))
+        triangles.append((left[k - 1], left[k], left[(k + 1) % len(left)]))
         del left[k]
         k %= len(left)
-    return np.array([*found, tuple(left)], dtype=np.int64)
+    return np.array([*triangles, tuple(left)], dtype=np.int64)
 
 
 def _is_ear(corners: Array, left: list[int], k: int) -> bool:

@@ -11,7 +11,7 @@ from polhode.bodies._digits import judge_moments
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
-ROUNDING = 64 * np.finfo(float).eps  # what the sums behind an inertia matrix may leave, relative to its entries
+ROUNDING = 64 * np.finfo(float).eps  # rounding of the sums in an inertia matrix, relative to its entries
 
 
 class InertiaLimits(NamedTuple):
@@ -51,7 +51,7 @@ def inertia_of_second(second: Float64[Array, "3 3"]) -> Float64[Array, "3 3"]:
 def nearest_physical(inertia: Float64[Array, "3 3"]) -> Float64[Array, "3 3"]:
     """Return the tensor (3, 3) nearest to a symmetric one, in Frobenius' norm, that a body can have.
 
-    The norm is the same along all axes, so the nearest tensor has the same axes, and its moments are I_i = s_j + s_k
+    The norm does not depend on axes, so the nearest tensor keeps the axes, and its moments are I_i = s_j + s_k
     with second moments s ≥ 0 that bring them nearest: least squares without negative unknowns, of three.
 
     Source: Lawson & Hanson, *Solving Least Squares Problems* (1974), ch. 23; Lewis, Math. Oper. Res. 21 (1996) 576
@@ -106,7 +106,7 @@ def take_rounded(
 
 
 def rounding_of(inertia: Float64[Array, "3 3"], digits: int) -> float:
-    """Return the most that rounding the entries to so many significant digits changes a matrix, in Frobenius' norm."""
+    """Return the largest change of a matrix by rounding its entries to a number of digits, in Frobenius' norm."""
     size = np.abs(inertia)
     with np.errstate(divide="ignore"):
         unit = np.where(size > 0.0, 10.0 ** (np.floor(np.log10(size)) - digits + 1.0), 0.0)
@@ -130,7 +130,7 @@ def check_moments(moments: Float64[Array, "3"], effective: bool = False) -> None
             by more than a third of I3.
     """
     I1, I2, I3 = moments
-    shown = ", ".join(f"{x:.10g}" for x in moments)  # as many digits as show by how much they fail
+    shown = ", ".join(f"{x:.10g}" for x in moments)  # enough digits to show the violation
     if not I3 > 0:
         raise InvalidInput(f"the principal moments must not all vanish; got ({shown}) kg m². A point has no attitude.")
     if I1 < -ROUNDING * I3:
@@ -156,7 +156,7 @@ def principal_axes(inertia: Float64[Array, "3 3"]) -> tuple[Float64[np.ndarray, 
     else:
         scale = 2.0 ** np.frexp(np.abs(inertia).max())[1]  # a power of two, so that scaling rounds nothing
         moments, axes = _jacobi(inertia / scale)
-        # what relative rounding of the entries does to each moment: v · |J| v with |v|
+        # effect of relative rounding of the entries on each moment: v · |J| v with |v|
         unsure = ROUNDING * np.einsum("ik,ij,jk->k", np.abs(axes), np.abs(inertia / scale), np.abs(axes))
         moments, groups = judge_moments(moments, unsure)
         columns = [axis for group in groups for axis in _nearest_axes(axes[:, group])]

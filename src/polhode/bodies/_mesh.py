@@ -25,7 +25,7 @@ def mass_properties(
     vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], *, mass: float | None, density: float | None,
     several: bool = False, repair: bool = False, repaired: bool = False,
 ) -> MassProperties:  # fmt: skip
-    """Return mass, centre and inertia of what a mesh encloses: ``Body.from_mesh`` documents the arguments.
+    """Return mass, centre and inertia of the body inside a mesh: ``Body.from_mesh`` documents the arguments.
 
     A mesh that was ``repaired`` when it was read needs no second repair, and no message advises to ask for it.
     """

@@ -106,20 +106,20 @@ def depths(corners: Float64[np.ndarray, "m 3 3"], pieces: list[np.ndarray]) -> I
     low = np.array([corners[piece].min(axis=(0, 1)) for piece in pieces])
     high = np.array([corners[piece].max(axis=(0, 1)) for piece in pieces])
     clear = LIMITS.contact_depth * (high.max(axis=0) - low.min(axis=0)).max()
-    seen: dict[int, _Seen] = {}
+    projections: dict[int, _Projected] = {}
     for i, piece in enumerate(pieces):
         # only what reaches into another's box can lie inside it or share volume with it
         near = ((low < high[i] - clear) & (high > low[i] + clear)).all(axis=1)
         for j in np.flatnonzero(near):
             if i != j:
-                if int(j) not in seen:
-                    seen[int(j)] = _Seen.of(corners[pieces[j]])
-                result[i] += _lies_inside(corners[piece], seen[int(j)], clear)
+                if int(j) not in projections:
+                    projections[int(j)] = _Projected.of(corners[pieces[j]])
+                result[i] += _lies_inside(corners[piece], projections[int(j)], clear)
     return result
 
 
 def find_miscounted_face(corners: Float64[np.ndarray, "m 3 3"], pieces: list[np.ndarray]) -> int | None:
-    """Return a face with neither material nor none on one of its sides, asked at some of each piece; None without one.
+    """Return a face with a winding number other than 0 and 1 on one side, from samples of each piece; None without one.
 
     Around a point of the body the whole surface winds once, around others not at all.
     """
@@ -133,16 +133,16 @@ def find_miscounted_face(corners: Float64[np.ndarray, "m 3 3"], pieces: list[np.
     # corners as far from every side as this; on smaller faces the shift leaves the neighbourhood of the face
     wide = area[:, 0] > clear * size
     shift = clear * normal / np.where(area > 0.0, area, 1.0)
-    middles, seen = corners[chosen].mean(axis=1), _Seen.of(corners)
+    middles, projection = corners[chosen].mean(axis=1), _Projected.of(corners)
     for side in (shift, -shift):
-        wound = _winding_number((middles + side)[wide], seen)
+        wound = _winding_number((middles + side)[wide], projection)
         if (wrong := np.flatnonzero((wound != 0.0) & (wound != 1.0))).size:
             return int(chosen[wide][wrong[0]])
     return None
 
 
-def _lies_inside(piece: np.ndarray, other: _Seen, clear: float) -> bool:
-    """Whether a closed piece lies inside another one, asked at some faces, each just above and just below.
+def _lies_inside(piece: np.ndarray, other: _Projected, clear: float) -> bool:
+    """Whether a closed piece lies inside another one, tested at some faces, just above and just below each.
 
     Faces that lie in the other surface differ in that, and decide nothing.
     """
@@ -167,18 +167,18 @@ def _lies_inside(piece: np.ndarray, other: _Seen, clear: float) -> bool:
     return bool(inside[0])
 
 
-def _winding_number(points: np.ndarray, triangles: _Seen) -> np.ndarray:
+def _winding_number(points: np.ndarray, triangles: _Projected) -> np.ndarray:
     """Return how often closed triangles wind around points (k, 3).
 
     A ray in an odd direction is counted through the triangles, outward ways less inward ones; a point whose ray passes
-    close to an edge, or that is close to a triangle, is asked by solid angles, which take a hundred times as long.
+    close to an edge, or that is close to a triangle, is tested by solid angles, which take a hundred times as long.
     """
     at = (points - triangles.origin) @ _ODD_AXES / triangles.size
     low, high = triangles.low, triangles.high
     ray, face = np.nonzero(
         (low[0] <= at[:, :1]) & (at[:, :1] <= high[0]) & (low[1] <= at[:, 1:2]) & (at[:, 1:2] <= high[1])
     )
-    corners = triangles.seen[face] - at[ray][:, None, :]
+    corners = triangles.projected[face] - at[ray][:, None, :]
     (a, b, c), up = np.moveaxis(corners[:, :, :2], 1, 0), corners[:, :, 2]
     turns = np.stack([p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0] for p, q in ((b, c), (c, a), (a, b))], axis=1)
     within = (turns > -LIMITS.winding_rounding).all(axis=1) | (turns < LIMITS.winding_rounding).all(axis=1)
@@ -194,23 +194,23 @@ def _winding_number(points: np.ndarray, triangles: _Seen) -> np.ndarray:
     return result
 
 
-class _Seen(NamedTuple):
-    """Triangles (m, 3, 3) as they are seen along the ray, and the boxes around what is seen."""
+class _Projected(NamedTuple):
+    """Triangles (m, 3, 3) projected along the ray, and the boxes around their projections."""
 
     corners: np.ndarray
     origin: np.ndarray
     size: float
-    seen: np.ndarray
+    projected: np.ndarray
     low: np.ndarray
     high: np.ndarray
 
     @classmethod
-    def of(cls, triangles: np.ndarray) -> _Seen:
+    def of(cls, triangles: np.ndarray) -> _Projected:
         origin = triangles.reshape(-1, 3).mean(axis=0)
         size = float(np.abs(triangles - origin).max()) or 1.0
-        seen = (triangles - origin) @ _ODD_AXES / size
-        flat = seen[:, :, :2]
-        return cls(triangles, origin, size, seen, flat.min(axis=1).T.copy(), flat.max(axis=1).T.copy())
+        projected = (triangles - origin) @ _ODD_AXES / size
+        flat = projected[:, :, :2]
+        return cls(triangles, origin, size, projected, flat.min(axis=1).T.copy(), flat.max(axis=1).T.copy())
 
 
 def _solid_angle(point: np.ndarray, triangles: np.ndarray) -> float:
@@ -226,7 +226,7 @@ def _solid_angle(point: np.ndarray, triangles: np.ndarray) -> float:
 
 
 def _odd_axes() -> np.ndarray:
-    """Return a rotation (3, 3) by columns that is along no axis, face or diagonal of what people draw."""
+    """Return a rotation (3, 3) by columns along no axis, face or diagonal of usual drawings."""
     axes, _ = np.linalg.qr(np.array([[1.0, 0.3194, 0.1237], [0.2713, -1.0, 0.4561], [0.4129, 0.1873, 1.0]]))
     axes[:, 2] *= np.sign(np.linalg.det(axes))
     return axes

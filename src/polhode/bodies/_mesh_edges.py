@@ -2,7 +2,7 @@
 
 Two faces on an edge are neighbours. On an edge with more of them, bodies touch, or a body touches itself: sorted by
 angle about the edge, faces open and close sectors of material like brackets, and each pair of brackets belongs
-together. What hangs together by such pairs is a closed surface, since each pair uses its edge once in each direction.
+together. Faces connected by such pairs form a closed surface, since each pair uses its edge once in each direction.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def find_edges(faces: Integer[np.ndarray, "m 3"]) -> Edges:
 
 
 def find_neighbours(edges: Edges) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return pairs of faces that share an edge with no third, and whether both run along it the same way."""
+    """Return pairs of faces that share an edge with no third, and whether both run along it in one direction."""
     order = np.argsort(edges.number, kind="stable")
     order = order[edges.uses[edges.number[order]] == 2]
     one, other = order[::2], order[1::2]
@@ -81,7 +81,7 @@ def find_pieces(
 
 
 def _pair_on_shared_edges(vertices: np.ndarray, faces: np.ndarray, edges: Edges) -> tuple[np.ndarray, np.ndarray]:
-    """Return pairs of faces that bound the same sector of material at an edge of more than two faces."""
+    """Return pairs of faces that bound one sector of material at an edge of more than two faces."""
     half = np.flatnonzero(edges.uses[edges.number] > 2)
     half = half[np.argsort(edges.number[half], kind="stable")]
     number, face, opens = edges.number[half], edges.face[half], ~edges.forward[half]
@@ -114,7 +114,7 @@ def _angles(vertices: np.ndarray, faces: np.ndarray, edges: Edges, half: np.ndar
 
 
 def _match_brackets(angle: np.ndarray, opens: np.ndarray) -> list[tuple[int, int]]:
-    """Return which opening face goes with which closing one; at the same angle sectors end before others begin."""
+    """Return pairs of an opening and a closing face; at equal angles sectors end before others begin."""
     order = np.argsort(angle, kind="stable")
     beyond = np.diff(angle[order], prepend=angle[order[0]]) > LIMITS.max_angle
     level = np.cumsum(beyond)
@@ -124,10 +124,10 @@ def _match_brackets(angle: np.ndarray, opens: np.ndarray) -> list[tuple[int, int
     depth = np.cumsum(np.where(opens[order], 1, -1))
     order = np.roll(order, -(int(depth.argmin()) + 1))  # from where least material is open
     waiting: list[int] = []
-    found = []
+    pairs = []
     for k in order:
         if opens[k]:
             waiting.append(int(k))
         elif waiting:
-            found.append((waiting.pop(), int(k)))
-    return found
+            pairs.append((waiting.pop(), int(k)))
+    return pairs

@@ -1,8 +1,8 @@
 """Checks of meshes: a bad one would silently give wrong moments, so each fault is an error of its own.
 
-What passes is a closed surface, each edge used as often in one direction as in the other, that winds once around every
-point of the body and not at all around any other: pieces neither cross nor contain each other, but for cavities. They
-may touch by a face, an edge or a corner.
+A mesh that passes is a closed surface, each edge used as often in one direction as in the other, that winds once around
+every point of the body and not at all around any other: pieces neither cross nor contain each other, but for cavities.
+They may touch by a face, an edge or a corner.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def check_mesh(
         vertices: (n, 3) corners [m].
         faces: (m, 3) indices of corners.
         several: whether disjoint bodies are accepted.
-        repaired: whether it is what repair left, so that no message advises to ask for that.
+        repaired: whether it was repaired already, so that no message advises repair.
 
     Raises:
         InvalidInput: naming the fault and what helps.
@@ -57,7 +57,7 @@ def check_mesh(
             f"Turn the faces outward{_or_repair(repaired)}."
         )
     _check_crossings(vertices, faces, pieces)
-    # what encloses nothing, such as a flap of two faces back to back, neither adds volume nor takes it away
+    # a piece that encloses nothing, such as a flap of two faces back to back, does not change the volume
     thick = [piece for piece, volume in zip(pieces, volumes, strict=True) if volume]
     if len(thick) > 1:
         _check_nesting(volumes[volumes != 0.0], depths(corners, thick), several, repaired)

@@ -1,4 +1,4 @@
-"""Repair of meshes on request: what can be mended without knowing the body, with a word on each change."""
+"""Repair of meshes on request: mends that need no knowledge of the body, with a word on each change."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from polhode.types import ArrayLike, Float64, Integer, Real
 class HoleLimits(NamedTuple):
     """Numbers that decide which holes of a mesh are closed."""
 
-    max_width: float = 0.05  # of the mesh's extent: what may be closed flat changes volume by less than 1e-4 of it
+    max_width: float = 0.05  # of the mesh's extent: closed flat, such a hole changes the volume by less than 1e-4
     max_edges: int = 200  # of a small hole
     edges_of_one_triangle: int = 3  # a hole that one lost triangle leaves, of any size
     edges_of_two_triangles: int = 4  # a hole that two triangles side by side leave, of any size
-    # of 30°: two lost triangles lay in the plane of a neighbour; the lid of an open box did not
+    # of 30°: two lost triangles continue the plane of a neighbour; the lid of an open box does not
     min_flat_cosine: float = 0.87
 
 
@@ -34,7 +34,7 @@ class Repaired(NamedTuple):
     Attributes:
         vertices: (n, 3) [m].
         faces: (m, 3) indices of corners.
-        changes: what was done, in words.
+        changes: a phrase for each change.
     """
 
     vertices: Float64[np.ndarray, "n 3"]
@@ -45,7 +45,7 @@ class Repaired(NamedTuple):
 def repair_mesh(
     vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], holes: bool = False
 ) -> Repaired:
-    """Return the mesh with its faces turned alike, bodies outward, cavities inward; what cannot be turned stays.
+    """Return the mesh with its faces oriented consistently, bodies outward, cavities inward; the rest stays.
 
     Triangles with repeated corners are dropped, as are copies of others, and walls of two triangles back to back.
 
@@ -71,13 +71,13 @@ def repair_mesh(
         for piece, depth in zip(pieces, depths(vertices[faces], pieces), strict=True):
             if (find_volume(vertices[faces[piece]]) < 0) == (depth % 2 == 0):
                 faces[piece] = faces[piece][:, ::-1]
-    if turned := _count_turned(given, faces if len(edges.uses) else kept):
-        changes.append(f"turned {turned} triangles round")
+    if count := _count_reversed(given, faces if len(edges.uses) else kept):
+        changes.append(f"turned {count} triangles round")
     return Repaired(vertices, faces, tuple(changes))
 
 
 def _drop_useless(faces: np.ndarray) -> tuple[np.ndarray, list[str]]:
-    """Drop triangles without area, copies turned alike but one, and pairs turned against each other."""
+    """Drop triangles without area, all but one of equal triangles, and pairs of opposite orientation."""
     a, b, c = faces.T
     proper = (a != b) & (b != c) & (c != a)
     changes = [f"dropped {int((~proper).sum())} triangles with a repeated corner"] if not proper.all() else []
@@ -99,9 +99,9 @@ def _drop_useless(faces: np.ndarray) -> tuple[np.ndarray, list[str]]:
 
 
 def _orient_faces(faces: np.ndarray) -> np.ndarray:
-    """Return the faces, in each piece turned like the first one.
+    """Return the faces, in each piece oriented like the first one.
 
-    Each face stands twice in a graph, as it is and turned; neighbours are joined in the ways that agree. A surface
+    Each face is in a graph twice, as it is and reversed; neighbours are joined in the ways that agree. A surface
     with two sides falls apart into two copies.
     """
     from scipy.sparse import coo_array
@@ -150,7 +150,7 @@ def _close_holes(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, l
 
 
 def _is_flat(vertices: np.ndarray, cap: np.ndarray, neighbours: np.ndarray) -> bool:
-    """Return whether each triangle of a cap lies in the plane of some neighbour, whichever way that one is turned."""
+    """Return whether each triangle of a cap lies in the plane of some neighbour, whatever its orientation."""
     a, b, c = np.moveaxis(vertices[np.concatenate([cap, neighbours])], 1, 0)
     normals = np.cross(b - a, c - a)
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(float).tiny)
@@ -171,7 +171,7 @@ def _find_loops(rim: np.ndarray) -> list[list[int]]:
         place = {path[0]: 0}
         while path:
             ways = following.get(path[-1])
-            if not ways:  # faces that are not turned alike leave paths without an end
+            if not ways:  # faces of inconsistent orientation leave paths without an end
                 following.pop(path[-1], None)
                 place.pop(path.pop())
                 continue
@@ -208,8 +208,8 @@ def _span(corners: np.ndarray) -> np.ndarray:
     return np.asarray(triangulate(np.column_stack([middle @ across, middle @ np.cross(normal, across)])))
 
 
-def _count_turned(given: np.ndarray, faces: np.ndarray) -> int:
-    """Return how many triangles of a mesh are in another one, turned round."""
+def _count_reversed(given: np.ndarray, faces: np.ndarray) -> int:
+    """Return how many triangles of a mesh are in another one with the opposite orientation."""
     size = int(max(given.max(initial=0), faces.max(initial=0))) + 1
 
     def keys(triangles: np.ndarray) -> np.ndarray:

@@ -32,7 +32,7 @@ class Solid(NamedTuple):
     """A homogeneous shape.
 
     Attributes:
-        volume: [m³]; None of what has no thickness.
+        volume: [m³]; None of shapes without thickness.
         second: (3, 3) mean of r rᵀ about the centroid [m²].
         centroid: (3,) [m]; the origin, but for an outline that is elsewhere.
     """
@@ -168,7 +168,7 @@ def sphere_shell(radius: float, thickness: float = 0.0) -> Solid:
 
 
 def _wall(volume: Array, seconds: list[Array], scale: float, thickness: float) -> Solid:
-    """Return what lies between a shape grown and shrunk by half of the thickness s.
+    """Return the wall between a shape grown and shrunk by half of the thickness s.
 
     Volume and ∫ x² dV are polynomials F(s) of the shape; F(s) − F(−s) is twice their odd part, a sum of positive terms
     in which nothing cancels. Over s it is that of a surface in the limit of no thickness.
@@ -185,10 +185,10 @@ def _wall(volume: Array, seconds: list[Array], scale: float, thickness: float) -
 
 
 def _product(*factors: Any) -> Array:
-    found = np.ones(1)
+    product = np.ones(1)
     for factor in factors:
-        found = np.convolve(found, factor)
-    return found
+        product = np.convolve(product, factor)
+    return product
 
 
 def _thickness(thickness: Any, most: float) -> float:
@@ -248,7 +248,7 @@ def _find_crossed_sides(p: Array) -> tuple[int, int] | None:
 
     if (flat := np.flatnonzero((p == q).all(axis=1))).size:
         return int(flat[0]), int((flat[0] + 1) % n)
-    # a corner at which the outline runs straight back covers no area, and is a slip
+    # a corner at which the outline runs straight back covers no area, and is a mistake
     back = (side(p, q, np.roll(q, -1, axis=0)) == 0.0) & (((q - p) * (np.roll(q, -1, axis=0) - q)).sum(axis=1) < 0.0)
     if back.any():
         k = int(np.flatnonzero(back)[0])

@@ -40,7 +40,7 @@ def mass_properties(
 
 
 def _round_to_digits(properties: MassProperties, positions: Array) -> MassProperties:
-    """Return moments that are equal or zero where the digits of the positions do not tell them apart."""
+    """Return moments that are equal or zero where the digits of the positions do not distinguish them."""
     moments, axes = principal_axes(properties.inertia)
     rounded, _ = judge_moments(moments, unsure_moments(moments, properties.mass, last_digit(positions, ANGSTROM)))
     if (rounded == moments).all():
@@ -49,7 +49,7 @@ def _round_to_digits(properties: MassProperties, positions: Array) -> MassProper
 
 
 def atomic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:
-    """Return standard atomic weights [kg] of chemical symbols; the mass number's stands in for elements without one.
+    """Return standard atomic weights [kg] of chemical symbols; the mass number for elements without one.
 
     Raises:
         InvalidInput: for what is not a chemical element.
@@ -86,7 +86,7 @@ def is_element(symbol: str) -> bool:
 
 
 def explain_symbol(word: str) -> str:
-    """Return what a word probably is that is no chemical symbol, and what to write in its place; empty if nobody knows.
+    """Return a guess at the meaning of a word that is no chemical symbol, with the remedy; empty without a guess.
 
     >>> explain_symbol("8")
     '8 is the atomic number of O: write the symbol. '
@@ -103,9 +103,9 @@ def explain_symbol(word: str) -> str:
         return f"{name} is the atomic number of {symbols[int(name) - 1]}: write the symbol. "
     # the longest symbol that it may begin with; HW1, a hydrogen of water, begins with no longer one
     for pattern in (r"(\d*)[-_]?([A-Za-z]{1,2})[-_]?(\d*)[A-Za-z'*+-]*", r"(\d*)([A-Za-z])[A-Za-z]?\d+[A-Za-z'*+-]*"):
-        found = re.fullmatch(pattern, word.strip("'\""))
-        if found and is_element(element := found[2].capitalize()):
-            if found[1]:
+        match = re.fullmatch(pattern, word.strip("'\""))
+        if match and is_element(element := match[2].capitalize()):
+            if match[1]:
                 return f"Write {element}, with its mass for an isotope. "
             return f"Write {element} for an atom with a label, or {element} with its mass for an isotope. "
     return ""

@@ -178,14 +178,14 @@ class Body:
     def from_atoms(
         cls, symbols: Sequence[str], positions: Real[ArrayLike, "n 3"], masses: Real[ArrayLike, "n"] | None = None
     ) -> Body:
-        """Return a molecule as a rigid body of point masses, which is where its rotational constants come from.
+        """Return a molecule as a rigid body of point masses, from which its rotational constants follow.
 
         Masses are standard atomic weights, averaged over isotopes; a spectroscopist gives the isotopes' masses instead.
         The rotational constants of an equilibrium geometry are not those of the vibrational ground state.
 
         Positions with 3 to 8 decimals in ångström are taken as rounded to these, as programs print them. Moments that
         differ by less than this rounding are set equal, and a moment smaller than it is set to zero, so that linear
-        molecules stay linear and symmetric tops symmetric, whichever way they are turned.
+        molecules stay linear and symmetric tops symmetric, in any orientation.
 
         Args:
             symbols: (n,) chemical symbols.
@@ -209,7 +209,7 @@ class Body:
 
         Args:
             vertices: (n, 3) corners [m].
-            faces: (m, 3) indices of corners, counterclockwise seen from outside. A closed surface that faces inward and
+            faces: (m, 3) indices of corners, counterclockwise from outside. A closed surface that faces inward and
                 lies inside another one is a cavity.
             mass: [kg]; this or ``density``.
             density: [kg/m³].
@@ -271,7 +271,7 @@ class Body:
         """(3,) moments about the centre of mass, ascending [kg m²]; exact where the inertia is diagonal.
 
         Otherwise moments that differ by no more than the rounding of the inertia's entries come out equal, and those
-        that do not rise above it as zero, so that a turned cylinder stays symmetric and a turned rod thin.
+        that do not rise above it as zero, so that a rotated cylinder stays symmetric and a rotated rod thin.
         """
         return self._principal[0]
 
@@ -317,7 +317,7 @@ class Body:
     def placed(
     self, rotation: ArrayLike = (1.0, 0.0, 0.0, 0.0), translation: Real[ArrayLike, "3"] = (0.0, 0.0, 0.0)
 ) -> Body:
-        """Return the body turned about the origin, then shifted: r → R r + d, J → R J Rᵀ.
+        """Return the body rotated about the origin, then shifted: r → R r + d, J → R J Rᵀ.
 
         Args:
             rotation: (4,) unit quaternion wxyz, normalised here, (3, 3) rotation matrix, or a scipy Rotation.
@@ -344,7 +344,7 @@ class Body:
 
 
 def check_is_body(body: Any) -> None:
-    """Refuse what is not a ``Body``.
+    """Refuse anything but a ``Body``.
 
     Raises:
         InvalidInput: then.
@@ -407,7 +407,7 @@ def _mass_of(body: Body | MassProperties) -> float:
 
 
 def _left_by_cut(inertia: Array, size: float) -> Array:
-    """Return the tensor after cutting: flat bodies may miss I1 + I2 ≥ I3 by what is lost where terms cancel."""
+    """Return the tensor after cutting: flat bodies may miss I1 + I2 ≥ I3 by rounding where terms cancel."""
     if not np.isfinite(inertia).all():
         return inertia  # the body refuses it
     near = nearest_physical(inertia)

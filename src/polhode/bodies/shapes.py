@@ -1,7 +1,7 @@
 """Homogeneous bodies by exact formulas, each centred on its centre of mass with its axis of symmetry along z.
 
 Formulas give the mean squares ⟨x²⟩, ⟨y²⟩, ⟨z²⟩ over the mass M; the inertia is Ixx = M (⟨y²⟩ + ⟨z²⟩) and cyclically.
-Masses in kg, lengths in m; all raise ``InvalidInput`` for what is not positive and finite, naming it.
+Masses in kg, lengths in m; all raise ``InvalidInput`` for values that are not positive and finite, naming them.
 
 Shells have their material in a wall, and their measures are those of its middle: with a thickness the wall is exactly
 as thick, without one the mass lies on the surface.

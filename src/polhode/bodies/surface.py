@@ -41,7 +41,7 @@ class Surface:
 
     Attributes:
         vertices: (n, 3) [m].
-        faces: (m, 3) indices of corners, counterclockwise seen from outside.
+        faces: (m, 3) indices of corners, counterclockwise from outside.
         colors: (n,) of corners, as 0xRRGGBB, where parts have colours of their own; None elsewhere.
         paint: what else a page draws of it; None for nothing.
     """
@@ -55,23 +55,23 @@ class Surface:
         return iter((self.vertices, self.faces))
 
     def along(self, frame: BodyFrame) -> Surface:
-        """Return a surface in given axes as it stands along a trajectory's axes, about the point it turns about."""
+        """Return a surface of given axes along a trajectory's axes, from the point that the body turns about."""
 
-        def turned(points: Real[ArrayLike, "... 3"]) -> Float64[Array, "... 3"]:
+        def moved(points: Real[ArrayLike, "... 3"]) -> Float64[Array, "... 3"]:
             return (np.asarray(points, dtype=float) - frame.origin) @ np.asarray(frame.axes)
 
         paint = self.paint
         if paint is not None:
-            lines = tuple((turned(points), *drawn) for points, *drawn in paint.lines)
-            paint = replace(paint, lines=lines, cage=paint.cage and (turned(paint.cage[0]), paint.cage[1]))
-        return replace(self, vertices=turned(self.vertices), paint=paint)
+            lines = tuple((moved(points), *drawn) for points, *drawn in paint.lines)
+            paint = replace(paint, lines=lines, cage=paint.cage and (moved(paint.cage[0]), paint.cage[1]))
+        return replace(self, vertices=moved(self.vertices), paint=paint)
 
     def coarsened(self, most: int) -> Surface:
-        """Return a surface of at most so many triangles, itself if it has no more: near corners become one.
+        """Return a surface of at most ``most`` triangles, itself if it has no more: near corners are merged.
 
-        Corners in the same cell of a cubic grid become their mean, and triangles that this closes up are dropped. The
-        grid is the finest of those tried that leaves few enough; thin walls may close. It is to look at, not to
-        integrate.
+        Corners in one cell of a cubic grid become their mean, and triangles that this closes up are dropped. The
+        grid is the finest of those tried that leaves few enough; thin walls may close. The result is for drawing, not
+        for integration.
 
         Args:
             most: number of triangles, at least 12.
@@ -123,12 +123,12 @@ def _cluster_corners(surface: Surface, cells: int) -> Surface:
 
 
 def weld_corners(surface: Surface) -> Surface:
-    """Return the surface with the corners that are in the same place as one."""
+    """Return the surface with coincident corners merged."""
     return _with_one_corner_each(surface, places(surface.vertices))
 
 
 def places(vertices: Real[ArrayLike, "n 3"]) -> Integer[np.ndarray, "n"]:
-    """Return numbers (n,) of corners, the same where they are in the same place, to 1e-6 of the size."""
+    """Return numbers (n,) of corners, equal where corners coincide to 1e-6 of the size."""
     cells = 10**6  # along the longest edge: corners closer than one are in one place
     vertices = np.asarray(vertices, dtype=float)
     size = np.ptp(vertices, axis=0).max() or 1.0
@@ -137,7 +137,7 @@ def places(vertices: Real[ArrayLike, "n 3"]) -> Integer[np.ndarray, "n"]:
 
 
 def _with_one_corner_each(surface: Surface, numbers: Array) -> Surface:
-    """Return the surface with corners (n,) of the same number as one, at their mean, and triangles only once.
+    """Return the surface with corners (n,) of equal number merged at their mean, and each triangle once.
 
     A corner made of several has the colour of the first.
     """
@@ -147,10 +147,10 @@ def _with_one_corner_each(surface: Surface, numbers: Array) -> Surface:
     kept = index[np.asarray(surface.faces)]
     a, b, c = kept.T
     kept = kept[(a != b) & (b != c) & (c != a)]
-    # the same triangle, from whichever corner it begins
-    turned = np.take_along_axis(kept, (kept.argmin(axis=1)[:, None] + np.arange(3)) % 3, axis=1)
-    turned = turned[np.lexsort(turned.T[::-1])]  # np.unique of rows takes up to five times as long
-    kept = turned[np.diff(turned, axis=0, prepend=-1).any(axis=1)]
+    # each triangle from its smallest corner, for comparison
+    rows = np.take_along_axis(kept, (kept.argmin(axis=1)[:, None] + np.arange(3)) % 3, axis=1)
+    rows = rows[np.lexsort(rows.T[::-1])]  # np.unique of rows takes up to five times as long
+    kept = rows[np.diff(rows, axis=0, prepend=-1).any(axis=1)]
     used = np.unique(kept)
     colors = None if surface.colors is None else np.asarray(surface.colors)[first][used]
     return Surface(means[used], np.searchsorted(used, kept), colors, surface.paint)

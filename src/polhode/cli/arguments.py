@@ -41,7 +41,7 @@ def whole_number(least: int, most: int) -> Callable[[str | int], int]:
 class StrictCommand(TyperCommand):
     """A command that refuses an option given twice; the last would be taken, and the others dropped silently.
 
-    What the library refuses names arguments of Python; the command names its options instead.
+    The library's messages name arguments of Python; the command names its options instead.
     """
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
@@ -61,7 +61,7 @@ class StrictCommand(TyperCommand):
         """Run the command.
 
         Raises:
-            PolhodeError: as the command does, in the words of its options.
+            PolhodeError: as the command does, naming its options.
         """
         with run_as(ctx):
             try:

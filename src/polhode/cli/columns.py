@@ -44,7 +44,7 @@ def tables_to_compare(options: ColumnOptions) -> tuple[TableMapping | None, Tabl
     tables: list[TableMapping | None] = []
     for side in SIDES:
         settings = {**words, **own.get(side, {})}
-        needed = side in own or not own  # with one side alone, the other needs no mapping
+        needed = side in own or not own  # with options for one side alone, the other needs no mapping
         where = f"{_place(options)}[{side}]: " if side in own else _place(options)
         tables.append(TableMapping(_make_mapping(settings, where), side in own) if needed else None)
     return tables[0], tables[1]

@@ -71,12 +71,12 @@ def _starts_with(flags: tuple[str, ...]) -> bool:
 def keep_compiled() -> None:
     """Let commands keep what JAX compiles, pint's table of units, and reports; importing the library keeps nothing.
 
-    To be called before JAX is imported. Settings in the environment win. What cannot be kept or read is made again, and
-    nothing is said.
+    To be called before JAX is imported. Settings in the environment win. Entries that cannot be kept or read are made
+    again silently.
     """
     # what equinox checks while it runs calls Python, and such functions cannot be kept; polhode checks beforehand
     os.environ.setdefault("EQX_ON_ERROR", "nan")
-    os.environ.setdefault("TF_CPP_MIN_LOG_LEVEL", "3")  # processors that read their own functions back with complaints
+    os.environ.setdefault("TF_CPP_MIN_LOG_LEVEL", "3")  # processors that warn when they read their own functions back
     warnings.filterwarnings("ignore", "Error (reading|writing) persistent compilation cache")
     from platformdirs import user_cache_path
 

@@ -32,7 +32,7 @@ FitFigures = Annotated[
 FitWindows = Annotated[
     list[str] | None,
     typer.Option("--window", metavar="START,END",
-                 help="Of logs: free flight [s], like 1.2,1.9, in place of what is found; once for each throw."),
+                 help="Of logs: free flight [s], like 1.2,1.9, in place of the detected one; once for each throw."),
 ]  # fmt: skip
 WithDrag = Annotated[
     bool | None, typer.Option("--drag/--no-drag", help="Of logs: drag or none (default: by a criterion).")

@@ -20,7 +20,7 @@ GROUP = "polhode.commands"
 class Commands(TyperGroup):
     """The commands of polhode, those of wings, and those of other packages; one is imported only when it is asked for.
 
-    An entry point names a function whose arguments are annotated as Typer has them. It hands what it found out to
+    An entry point names a function whose arguments are annotated as Typer has them. It hands its report to
     ``polhode.publish``. The table of a wing also has the command's line of the help.
     """
 
@@ -42,7 +42,7 @@ class Commands(TyperGroup):
         return "" if command is None else command.get_short_help_str(room)
 
     def _can_be_had(self, ctx: Any, name: str) -> bool:
-        """Whether a command can be imported; one that cannot is left out of the list, and told when it is asked for."""
+        """Whether a command can be imported; others are left out of the list, and explained when asked for."""
         with contextlib.suppress(InvalidInput):
             return self.get_command(ctx, name) is not None
         return False

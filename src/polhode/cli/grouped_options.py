@@ -12,7 +12,7 @@ def grouped(function: Callable[..., None]) -> Callable[..., None]:
     """Return a command whose parameters that are named tuples of options are the options themselves.
 
     Typer reads a command's options from its signature and annotations. A parameter annotated with a NamedTuple class,
-    whose fields are annotated as Typer's options with defaults, stands there for all of them, in the place where it is.
+    whose fields are annotated as Typer's options with defaults, is replaced by all of them, in its place.
     """
     hints = get_type_hints(function, include_extras=True)
     parameters: list[inspect.Parameter] = []

@@ -62,7 +62,7 @@ def run_import(
         groups.append(_about_body(trajectory))
     groups.append(about_file(trajectory, labels, kept))
     ending = SPEC_ENDING if len(trajectory.times) == 1 and tells_spin(trajectory) else DATASET_ENDING
-    written = out or Path(f"{path.stem}_imported{ending}")  # not the name of a dataset exported to the same folder
+    written = out or Path(f"{path.stem}_imported{ending}")  # not the name of a dataset exported to this folder
     check_spares(written, path)
     begin = find_begin(path, trajectory)
     header = {"title": path.name if labels is None else labels.object_name or path.name}
@@ -132,23 +132,23 @@ def _with_body(trajectory: Trajectory, frame: BodyFrame, mechanics: Mechanics | 
     Args:
         trajectory: along the given axes, read from a file.
         frame: the principal axes; its moments are about the point that the body turns about.
-        mechanics: of the same body along the given axes; None where momentum is not the moments times the velocity.
+        mechanics: of the body along the given axes; None where momentum is not the moments times the velocity.
     """
     samples, attitude = trajectory, trajectory.attitude
-    turned = samples.with_frame(frame).along("principal")
-    if mechanics is None or turned.angular_velocity is None:
-        return _with_states(turned)
-    momentum = turned.angular_velocity * np.asarray(frame.moments)
-    turned = _with_states(replace(turned, momentum=momentum))
+    along_body = samples.with_frame(frame).along("principal")
+    if mechanics is None or along_body.angular_velocity is None:
+        return _with_states(along_body)
+    momentum = along_body.angular_velocity * np.asarray(frame.moments)
+    along_body = _with_states(replace(along_body, momentum=momentum))
     if attitude is None and mechanics.weight is not None:
-        return turned  # the weight's torque is along axes that are not known
+        return along_body  # the weight's torque is along axes that are not known
     still = np.tile((1.0, 0.0, 0.0, 0.0), (len(momentum), 1))  # energy and |L| are the same for any attitude
     invariants, drift = invariants_along(
         still if attitude is None else attitude, np.asarray(samples.angular_velocity), mechanics
     )
     if attitude is None:
         del invariants["momentum_space"], drift["momentum_space"]
-    return replace(turned, invariants=invariants, drift=drift)
+    return replace(along_body, invariants=invariants, drift=drift)
 
 
 def _with_states(trajectory: Trajectory) -> Trajectory:
@@ -170,10 +170,10 @@ def about_file(trajectory: Trajectory, labels: AttitudeLabels | None, kept: str)
     """Return the answers about a file's content; ``kept`` names whose invariants the drift is of."""
     times = np.asarray(trajectory.times)
     steps, velocity = np.diff(times), trajectory.angular_velocity
-    several, turned = len(times) > 1, None
+    several, largest_turn = len(times) > 1, None
     if several and trajectory.attitude is not None:
         attitude = np.asarray(trajectory.attitude)
-        turned = float(rotation.angle_between(attitude[1:], attitude[:-1]).max())
+        largest_turn = float(rotation.angle_between(attitude[1:], attitude[:-1]).max())
     gap = float(steps.max()) if several else None
     gap_from = float(times[int(np.argmax(steps))]) if several else None
     fastest = None if velocity is None else float(np.linalg.norm(np.asarray(velocity), axis=-1).max())
@@ -195,7 +195,7 @@ def about_file(trajectory: Trajectory, labels: AttitudeLabels | None, kept: str)
         Answer("largest_gap", gap, "s", "largest gap", "",
                None if gap is None else f"{gap:.8g} s, from {gap_from:.9g} s on"),
         Answer("gap_from", gap_from, "s"),
-        Answer("largest_turn", turned, "rad", "largest turn between samples"),
+        Answer("largest_turn", largest_turn, "rad", "largest turn between samples"),
         Answer("has_angular_velocity", velocity is not None),
         Answer("fastest", fastest, "rad/s", "angular velocity", "",
                "none in the file" if fastest is None else f"up to {rate(fastest)}"),

@@ -25,14 +25,15 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         arguments: those of the command line where left out; then the process ends with the command.
 
     Raises:
-        SystemExit: always; with 128 and its number after a signal, and 1 where nobody reads the output any more.
+        SystemExit: always; with 128 and its number after a signal, and 1 where the output's reader is gone.
     """
     if arguments is None:
         _collect_rarely()
         _use_one_thread_for_matrices()
     try:
         with readable_output(), stop_on_signals(), warnings.catch_warnings():
-            warnings.filterwarnings("ignore", category=RuntimeWarning)  # NumPy's; what is not finite is seen in the end
+            # NumPy's; results that are not finite are refused in the end
+            warnings.filterwarnings("ignore", category=RuntimeWarning)
             warnings.showwarning = _say_warning
             code = _run(arguments)
     except Stopped as stop:
@@ -42,7 +43,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
             # drafts are removed; a compiler's threads go on, and crash where Python takes down what they use
             os._exit(code)
     if arguments is None:
-        for number in SIGNALS:  # while Python ends there is nothing more to clean up, and nothing to say
+        for number in SIGNALS:  # while Python ends nothing is left to clean up or to report
             if signal.getsignal(number) is not signal.SIG_IGN:
                 signal.signal(number, signal.SIG_DFL)
     sys.exit(code)
@@ -95,7 +96,7 @@ def _run(arguments: list[str] | None) -> int | str | None:
     except MemoryError as error:
         _tell(f"polhode: there is not enough memory ({error}). Give fewer `samples` under [time], or a smaller file.\n")
         return MISTAKE
-    except (ArithmeticError, *_singular()):  # what Python says of it helps nobody
+    except (ArithmeticError, *_singular()):  # Python's own words for it help nobody
         _tell("polhode: a number leaves double precision on the way. Give sizes that are nearer to one.\n")
         return MISTAKE
     except BrokenPipeError:
@@ -109,7 +110,7 @@ def _run(arguments: list[str] | None) -> int | str | None:
 
 
 def _describe_failure(error: OSError) -> str:
-    """Return the message for an operation that the system refused: on a named file, or on what is written."""
+    """Return the message for an operation that the system refused: on a named file, or on the output."""
     if error.filename is not None:
         path = shown(str(error.filename))
         return f"{path} cannot be read or written: {error.strerror}. Check the path and its permissions."
@@ -135,7 +136,7 @@ def _tell(message: str) -> None:
     try:
         sys.stderr.write(message)
         sys.stderr.flush()
-    except (OSError, AttributeError):  # nobody listens
+    except (OSError, AttributeError):  # standard error is closed
         pass
 
 

@@ -14,20 +14,20 @@ from polhode.formats.form import Kernels
 _TICKED = re.compile(r"`([a-z_.]+)(?:=([^`]+))?`")
 _RUNNING: ContextVar[Any] = ContextVar("running command", default=None)
 OF_KERNELS = {name: f"--{name.replace('_', '-')}" for name in Kernels._fields}
-"""Options that `polhode fit` has not, and sends to `polhode import` for."""
+"""Options that `polhode fit` lacks, for which it refers to `polhode import`."""
 OTHERWISE = {
     "fit": {"windows": "--window", "draw": "--figures"}, "lines": {"lowest": "--from", "highest": "--to"},
     "wobble": {"start": "--from", "end": "--to"}, "sweep": {"store": "--out"}, "learn": {"folder": "--from"},
 }  # fmt: skip
-"""Arguments that are not called as the command's options are."""
+"""Arguments whose option has another name."""
 COMMANDS = {"polhode.spacecraft.read_ck": "`polhode import` and `polhode compare`"}
-"""The commands that do what functions do which messages name; each command is the function of its name."""
+"""The commands for functions that messages name; every other command is the function of its name."""
 COLUMNS = "columns"  # an argument of which the command has an option for each word
 
 
 @contextlib.contextmanager
 def run_as(context: Any) -> Iterator[None]:
-    """Let ``as_options`` speak of a command's options, for as long as this lasts."""
+    """Let ``as_options`` name a command's options within this context."""
     token = _RUNNING.set(context)
     try:
         yield
@@ -38,7 +38,7 @@ def run_as(context: Any) -> Iterator[None]:
 def as_options(text: str) -> str:
     """Return a message of the library with the running command's options in place of Python's arguments.
 
-    An argument stands in backticks, with a value or without: `align_clock=True` is --align-clock, and
+    An argument is in backticks, with a value or without: `align_clock=True` is --align-clock, and
     `columns={"time": "t"}` is --time t. Outside a command the text stays as it is.
 
     >>> as_options("Say it by `offset`.")
@@ -52,7 +52,7 @@ def as_options(text: str) -> str:
 
 
 def argument_names(context: Any) -> dict[str, Any]:
-    """Return a command's options by the names of the arguments of Python that they stand for."""
+    """Return a command's options by the names of the Python arguments that they set."""
     other = OTHERWISE.get(context.command.name, {})
     options = {option: one for one in context.command.params for option in one.opts if option.startswith("--")}
     named = {option[2:].replace("-", "_"): one for option, one in options.items() if option not in other.values()}
@@ -103,7 +103,7 @@ def _spell(option: Any, value: str | None, context: Any) -> str:
 
 
 def _read_value(text: str) -> Any:
-    """Return a value of Python; None for what is none, as (start, end)."""
+    """Return a value of Python; None for text that is none, as (start, end)."""
     try:
         return ast.literal_eval(text)
     except (SyntaxError, ValueError, TypeError, MemoryError, RecursionError):

@@ -39,7 +39,7 @@ class ReportCommand(StrictCommand):
         return [*params[:own], *self._brought(), *params[own:]]
 
     def format_options(self, ctx: Any, formatter: Any) -> None:
-        """Write the list of the help, for which other packages are imported; what cannot be is left out."""
+        """Write the list of the help, for which other packages are imported; those that cannot be are left out."""
         points = self._others()
         self._cached = [option for option in self._brought() if _describe(option, points)]
         super().format_options(ctx, formatter)

@@ -2,7 +2,8 @@
 
 Each raises ``Stopped`` where the command is, so that every file being written cleans up after itself, and the command
 ends with 128 and the signal's number. Python's handlers run in the main thread between two of its instructions only,
-and what they raise is lost in some callbacks; so a second thread watches, and ends a process that does not end itself.
+and their exceptions are lost in some callbacks; so a second thread watches, and ends a process that does not end
+itself.
 """
 
 from __future__ import annotations
@@ -108,7 +109,7 @@ def stop_on_signals() -> Iterator[None]:
         yield
     except Exception:
         if watch.came is None:
-            raise  # otherwise it is what some library made of the signal
+            raise  # otherwise some library's exception for the signal
     finally:
         watch.end()
         if watch.came is not None:

@@ -27,7 +27,7 @@ IN_ASCII = {
 
 @contextlib.contextmanager
 def say_if_long(doing: str, after: float = 5.0) -> Iterator[None]:
-    """Say on standard error what a command does, once, where this takes longer than some seconds.
+    """Print on standard error, once, what a command is doing, where this takes longer than some seconds.
 
     Args:
         doing: what, like "the fit tries several models".
@@ -86,7 +86,7 @@ def readable_output() -> Iterator[None]:
         yield
     finally:
         for stream, errors in before:
-            with contextlib.suppress(OSError, ValueError):  # closed, or nobody listens
+            with contextlib.suppress(OSError, ValueError):  # closed, or its reader is gone
                 stream.reconfigure(errors=errors)
 
 
@@ -95,4 +95,4 @@ def open_in_browser(page: Path) -> None:
     import webbrowser
 
     if not webbrowser.open(page.resolve().as_uri()):
-        print("polhode: no browser was found to open it. Open the file yourself.", file=sys.stderr)
+        print("polhode: there is no browser to open it. Open the file yourself.", file=sys.stderr)

@@ -28,7 +28,7 @@ BODY = "#eef0f3"
 
 
 def inertia_ellipsoid(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | None:
-    """Return the ellipsoid seen obliquely, its longest semi-axis as 1, far side dimmed. None at rest.
+    """Return an oblique view of the ellipsoid, its longest semi-axis as 1, far side dimmed. None at rest.
 
     Args:
         shown: a free body's motion, or samples of one.
@@ -90,15 +90,15 @@ def _axes(scene: Scene, shape: Array) -> None:
 
 
 def _direction(scene: Scene, curve: Array) -> None:
-    """Put heads of arrows on a curve where it is seen, evenly along its length on the page."""
+    """Put heads of arrows on the visible parts of a curve, evenly along its length on the page."""
     spacing = 0.55  # of the heads of arrows, in longest semi-axes
     x, y, _ = scene.project(curve)
     length = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
-    seen, count = scene.is_visible(curve), int(length[-1] / spacing + 0.5)
+    visible, count = scene.is_visible(curve), int(length[-1] / spacing + 0.5)
     for part in (np.arange(count) + 0.5) / max(count, 1):
         k = int(np.searchsorted(length, part * length[-1]))
         ahead = min(len(x) - 1, int(np.searchsorted(length, part * length[-1] + 0.012)))
-        if not seen[k] or ahead == k:
+        if not visible[k] or ahead == k:
             continue
         scene.axes.annotate("", (x[ahead], y[ahead]), (x[k], y[k]), zorder=5, arrowprops={
             "arrowstyle": "-|>,head_width=0.22,head_length=0.45", "color": style.BLUE, "lw": 0.8, "mutation_scale": 10,

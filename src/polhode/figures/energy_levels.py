@@ -28,9 +28,9 @@ def draw_levels(
     pieces = level_segments(energy, values)
     x, y, depth = np.moveaxis(pieces @ frame.T, -1, 0)
     for front in (False, True):
-        seen = (depth.mean(axis=-1) >= 0.0) == front
+        facing = (depth.mean(axis=-1) >= 0.0) == front
         axes.add_collection(LineCollection(
-            list(np.stack([x[seen], y[seen]], axis=-1)), colors=colour, linewidths=width, capstyle="butt",
+            list(np.stack([x[facing], y[facing]], axis=-1)), colors=colour, linewidths=width, capstyle="butt",
             alpha=1.0 if front else 0.25, zorder=2 if front else 1,
         ), autolim=False)  # fmt: skip
 

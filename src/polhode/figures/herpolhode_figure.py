@@ -37,7 +37,7 @@ def herpolhode(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | 
     user_axes = axes
     figure, (axes,) = style.axes_for(axes, height=3.9)
     circle = np.linspace(0.0, 2.0 * np.pi, 400)
-    # where both limits are the curve itself, they would only hide it
+    # where both circles coincide with the curve, they would only hide it
     distinct = limits.outer_radius - limits.inner_radius > line_width * limits.outer_radius
     for radius in () if not distinct else {limits.inner_radius / 10.0**power, outer}:
         axes.plot(radius * np.cos(circle), radius * np.sin(circle), color=style.VERMILION, lw=0.7, ls="--", zorder=1,

@@ -1,6 +1,6 @@
-"""Solids seen from one side, shaded, and curves about them, dimmed where a solid hides them.
+"""Solids in a view from one side, shaded, and curves about them, dimmed where a solid hides them.
 
-Solids are an image, found pixel by pixel with a depth each, so that they may cut each other; lines, arrows and words
+Solids are an image, computed pixel by pixel with a depth each, so that they may cut each other; lines, arrows and words
 stay vectors. Source: Catmull, *A Subdivision Algorithm for Computer Display of Curved Surfaces* (1974), for the depth
 buffer; Gouraud, IEEE Trans. Comput. C-20 (1971) 623, for the shading.
 """
@@ -27,7 +27,7 @@ class Scene:
     Args:
         axes: of matplotlib, empty.
         frame: (3, 3) rows right, up, towards the viewer.
-        window: left, right, bottom, top, in the units of what is drawn.
+        window: left, right, bottom, top, in the units of the solids.
         eye: distance of the eye from the origin for perspective, None for parallel rays.
     """
 
@@ -99,9 +99,9 @@ class Scene:
 
     def _shades(self, normals: Array, ambient: float) -> Array:
         """Return brightness from 0 to about 1.1 by normals (…, 3), either side lit."""
-        turned = normals @ self.frame.T
-        turned = turned * np.where(turned[..., 2:] < 0.0, -1.0, 1.0)
-        lit = np.clip(turned @ (LIGHT / np.linalg.norm(LIGHT)), 0.0, 1.0)
+        facing = normals @ self.frame.T
+        facing = facing * np.where(facing[..., 2:] < 0.0, -1.0, 1.0)
+        lit = np.clip(facing @ (LIGHT / np.linalg.norm(LIGHT)), 0.0, 1.0)
         return ambient + (1.0 - ambient) * lit + 0.12 * lit**8
 
     def _fill(self, corners: np.ndarray, area: Array, shades: Array, colour: Array, rows: tuple[Array, ...]) -> None:
@@ -126,14 +126,14 @@ class Scene:
         lowest = place[won].min()
         nearest = np.full(place[won].max() - lowest + 1, UNSEEN)
         np.maximum.at(nearest, place[won] - lowest, depth[won])
-        # of triangles at the same depth the first wins, being written last
+        # of triangles at equal depth the first wins, being written last
         won = won[depth[won] == nearest[place[won] - lowest]][::-1]
         shade, place, second, third = shades[owner[won]], place[won], second[won], third[won]
         bright = shade[:, 0] + second * (shade[:, 1] - shade[:, 0]) + third * (shade[:, 2] - shade[:, 0])
         before[place] = depth[won]
-        seen = self.colour.reshape(-1, 4)
-        seen[place, :3] = np.clip(bright[:, None] * colour, 0.0, 1.0)
-        seen[place, 3] = 1.0
+        image = self.colour.reshape(-1, 4)
+        image[place, :3] = np.clip(bright[:, None] * colour, 0.0, 1.0)
+        image[place, 3] = 1.0
 
     def finish(self, strength: float = 1.0, order: float = 0.0) -> None:
         """Put the image of the solids so far onto the page."""
@@ -152,7 +152,7 @@ class Scene:
         self.axes.set_ylim(*self.window[2:])
 
     def is_visible(self, points: Real[ArrayLike, "*shape 3"]) -> Bool[Array, "*shape"]:
-        """Return which points (…, 3) no solid hides."""
+        """Return whether points (…, 3) are hidden by no solid."""
         near = 0.012  # of the window: a curve so close before a surface lies on it
         x, y, depth = self.project(points)
         rows, columns = self.depth.shape
@@ -172,9 +172,9 @@ class Scene:
     ) -> None:
         """Draw a curve (T, 3), dimmed where it is hidden."""
         x, y, _ = self.project(points)
-        seen = self.is_visible(points)
+        visible = self.is_visible(points)
         for front in (False, True):
-            wide = seen == front
+            wide = visible == front
             wide = wide | np.roll(wide, 1) if front else wide
             self.axes.plot(np.where(wide, x, np.nan), np.where(wide, y, np.nan), color=colour, lw=width, ls=form,
                            alpha=1.0 if front else dim, zorder=over if front else over - 0.5,

@@ -1,4 +1,4 @@
-"""Curves on a sphere seen obliquely, the far side dimmed."""
+"""Curves on a sphere in an oblique view, the far side dimmed."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ def draw_curve(
     """Draw a curve (T, 3) on the unit sphere."""
     x, y, depth = frame @ curve.T
     for front in (False, True):
-        seen = (depth >= 0.0) == front
+        facing = (depth >= 0.0) == front
         # keep one neighbour so that both halves meet at the rim
-        wide = seen | np.roll(seen, 1)
+        wide = facing | np.roll(facing, 1)
         axes.plot(np.where(wide, x, np.nan), np.where(wide, y, np.nan), color=colour, lw=width,
                   alpha=1.0 if front else 0.25, zorder=3 if front else 1, solid_capstyle="round")  # fmt: skip
 

@@ -18,7 +18,7 @@ from polhode.types import Array
 
 
 def momentum_sphere(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | None:
-    """Return the sphere |L| = const seen obliquely, far side dimmed; axes are the principal ones. None at rest.
+    """Return an oblique view of the sphere |L| = const, far side dimmed; axes are the principal ones. None at rest.
 
     Args:
         shown: a free body's motion, or samples of one.

@@ -21,7 +21,7 @@ from polhode.formats.figure_file import save_figure as save  # noqa: F401  (polh
 COLUMN = 3.6  # inches, a journal's column
 COLOURS: dict[str, Any] = json.loads((resources.files("polhode.figures") / "colours.json").read_text("utf-8"))
 BLUE, ORANGE, GREEN, VERMILION, SKY, PURPLE = COLOURS["palette"]  # Okabe & Ito's
-ROLES: dict[str, Any] = COLOURS["light"]  # colours by what they stand for, which pages take from the same table
+ROLES: dict[str, Any] = COLOURS["light"]  # colours by their roles, which pages take from this table too
 AXIS_COLOURS = tuple(ROLES["axes"])
 MOTION, SEPARATRIX, STABLE, UNDECIDED = (ROLES[name] for name in ("motion", "border", "stable", "undecided"))
 MOMENTUM, VELOCITY, WEIGHT, ROTOR = (ROLES[name] for name in ("momentum", "velocity", "weight", "rotor"))
@@ -71,7 +71,7 @@ def axes_for(axes: Any, rows: int = 1, height: float = COLUMN) -> tuple[Any, lis
 
 
 def label_time(panels: Sequence[Any], words: str) -> None:
-    """Write what the time axis is below the last panel, and below those that do not share it."""
+    """Label the time axis below the last panel, and below those that do not share it."""
     for panel in panels[:-1]:
         if not panel.get_shared_x_axes().joined(panel, panels[-1]):
             panel.set_xlabel(words)
@@ -88,7 +88,7 @@ def legend_above(axes: Any, user_axes: Any, handles: Any, labels: Any) -> None:
 
 
 def choose_height(window: tuple[float, float, float, float], around: float = 0.6) -> float:
-    """Return the height [inches] of a column-wide picture of this window, with so much for title and legend."""
+    """Return the height [inches] of a column-wide picture of this window, with room for title and legend."""
     left, right, bottom, top = window
     return float(np.clip(COLUMN * (top - bottom) / (right - left) + around, 2.0, 4.6))
 
@@ -102,7 +102,7 @@ def power_of_ten(values: Any) -> int:
 
 
 def factor(power: int) -> str:
-    """Return the power of ten as it stands before an axis's unit."""
+    """Return the power of ten in the form that precedes an axis's unit."""
     return f"10$^{{{power}}}$ " if power else ""
 
 

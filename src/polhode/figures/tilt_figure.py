@@ -49,7 +49,7 @@ def top_motion(shown: LagrangeMotion | Trajectory, *, axes: Any = None) -> Figur
 
 
 def _series(top: TopShown) -> tuple[np.ndarray, np.ndarray, np.ndarray, str]:
-    # of the body about its axis shown at most, so that each swing of Ω can be seen, but one nutation at least
+    # of the body about its axis shown at most, so that each swing of Ω is visible, but one nutation at least
     most_turns = 30
     most_periods = 6  # nutations or swings shown where there are more
     all_swings = 12  # up to which all swings are shown

@@ -95,8 +95,7 @@ def _solid(top: TopShown, surface: Surface | None) -> tuple[Surface, float, str]
 
 
 def _turn_surface(surface: Surface, attitude: Array) -> Surface:
-    turned = rotation.rotate(attitude, np.asarray(surface.vertices))
-    return Surface(turned, surface.faces)
+    return Surface(rotation.rotate(attitude, np.asarray(surface.vertices)), surface.faces)
 
 
 def _view(axis: Array) -> Array:

@@ -115,7 +115,7 @@ class Followed(NamedTuple):
 
 
 def sample_axis(top: TopShown) -> Followed:
-    """Return the first nutations of a Lagrange top, finely sampled, or all samples of another one."""
+    """Return the first nutations of a Lagrange top, finely sampled, or all samples of another top."""
     exact = top.exact
     if exact is None:
         motion = top.trajectory

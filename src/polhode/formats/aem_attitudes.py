@@ -1,7 +1,7 @@
 """From columns of an Attitude Ephemeris Message to attitudes: quaternions, Euler angles, spin axes, and rates.
 
 "From frame A to frame B" is the rotation which takes the axes of A to those of B, and the angular velocity is that of B
-against A. With A the space frame this is polhode's body → space attitude as it stands.
+against A. With A the space frame this is polhode's body → space attitude without any change.
 
 Source: CCSDS 504.0-B-2, tables 4-3 and 4-4, annex F.
 """
@@ -28,7 +28,7 @@ COLUMNS = {
 }
 OLD_NAMES = {"QUATERNION/RATE": "QUATERNION/ANGVEL", "EULER_ANGLE/RATE": "EULER_ANGLE/ANGVEL"}  # of version 1.0
 FAR_FROM_UNIT = 1e-3
-"""Files print quaternions with five digits or more; what is further from unit length is a mistake."""
+"""Files print quaternions with five digits or more; a larger distance from unit length is a mistake."""
 
 
 class Meaning(NamedTuple):
@@ -36,7 +36,7 @@ class Meaning(NamedTuple):
 
     Attributes:
         kind: the type of attitude, one of ``COLUMNS``.
-        sequence: axes of Euler angles like "ZXZ", each about the axes that the ones before have turned.
+        sequence: axes of Euler angles like "ZXZ", each about the axes as the rotations before have left them.
         scalar_first: whether quaternions begin with their scalar.
         velocity_in_space: whether the angular velocity has its components along the space axes.
         backward: whether the rotation is that from body to space, so that the space frame turns against the body.
@@ -59,7 +59,7 @@ def attitudes(
         columns: (n, k), degrees and degrees per second.
 
     Raises:
-        ValueError: in words, with the index of the row as second argument, for what is not a rotation.
+        ValueError: with the index of the row as second argument, for values that are no rotation.
     """
     family, _, rates = meaning.kind.partition("/")
     with np.errstate(over="ignore"):  # an infinite length is refused
@@ -102,7 +102,7 @@ def _about(axis: str, angle: Array) -> Array:
 
 
 def _of_euler_rates(sequence: str, degrees: Array, rates: Array) -> Array:
-    """Return the angular velocity along B: each rate is about its axis as later rotations have left it, seen from B."""
+    """Return the angular velocity along B: each rate is about its axis as later rotations have left it in B."""
     velocity = np.zeros((len(degrees), 3))
     for k, axis in enumerate(sequence):
         velocity = rotation.rotate(rotation.conjugate(_about(axis, np.radians(degrees[:, k]))), velocity)

@@ -33,8 +33,8 @@ def make_keys(
 ) -> tuple[Float64[Array, "keys"], Trajectory]:
     """Return the clock (K,) [s] of an animation, as single precision has it, and the trajectory at its keys.
 
-    Exact motions are evaluated again at just these times, finer than they were sampled where need be; of other samples
-    the clock is rounded, and those that it cannot tell apart are left out.
+    Exact motions are evaluated again at just these times, finer than they were sampled if necessary; of other samples
+    the clock is rounded, and those at equal rounded times are left out.
 
     Args:
         trajectory: of one body, with attitude.
@@ -42,7 +42,8 @@ def make_keys(
         rate: keys per second of the animation, for exact motions.
 
     Raises:
-        InvalidInput: for times that do not increase, keys too far apart or too many, and a rate for what is not exact.
+        InvalidInput: for times that do not increase, keys too far apart or too many, and a rate for a motion that is
+            not exact.
     """
     times = np.asarray(trajectory.times, dtype=float)
     if not (np.diff(times) > 0).all():

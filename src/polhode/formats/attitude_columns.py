@@ -37,7 +37,7 @@ def make_attitude(
         angle_unit: of Euler angles.
 
     Raises:
-        FormatError: naming the line of what is not a rotation.
+        FormatError: naming the line of values that are no rotation.
     """
     if mapping.sequence:
         return rotation.from_euler_angles(values * IN_RADIANS[angle_unit], mapping.sequence), None
@@ -64,22 +64,22 @@ def from_modified_rodrigues(parameters: Float64[Array, "rows 3"]) -> Quaternions
 def restore_scalars(vectors: Float64[Array, "rows 3"]) -> Quaternions:
     """Return unit quaternions from their vector parts: the scalar follows from the length, its sign by continuity.
 
-    The first scalar is taken as positive. From then on that sign is taken which leads nearer to where the last turn
-    would lead once more, so that a scalar that passes through zero changes sign, and a program that keeps all scalars
+    The first scalar is taken as positive. Every further sign makes the attitude nearer to the one that a repetition of
+    the last turn gives, so that a scalar that passes through zero changes sign, and a program that keeps all scalars
     positive, whose vector part jumps to its opposite there, is followed too.
     """
     sizes = np.sqrt(np.clip(1.0 - np.sum(vectors * vectors, axis=-1), 0.0, None))
-    found = np.concatenate([sizes[:, None], vectors], axis=-1)
-    before = last = found[0]
-    for k in range(1, len(found)):
+    quaternions = np.concatenate([sizes[:, None], vectors], axis=-1)
+    before = last = quaternions[0]
+    for k in range(1, len(quaternions)):
         ahead = rotation.multiply(rotation.multiply(last, rotation.conjugate(before)), last)
-        along = float(ahead[1:] @ found[k, 1:])
+        along = float(ahead[1:] @ quaternions[k, 1:])
         # the scalar has the sign that makes |q · ahead| larger
         if ahead[0] * along < 0.0:
-            found[k, 0] = -found[k, 0]
-        now = found[k] if found[k] @ last >= 0.0 else -found[k]
+            quaternions[k, 0] = -quaternions[k, 0]
+        now = quaternions[k] if quaternions[k] @ last >= 0.0 else -quaternions[k]
         before, last = last, now
-    return found
+    return quaternions
 
 
 def _from_quaternions(path: Path, table: PlainTable, values: Array, letters: str) -> tuple[Array, float]:

@@ -1,4 +1,4 @@
-"""What describes a format of files that hold a body, such as a robot description, to which the table [body] leads."""
+"""The description of a format of files that hold a body, such as a robot's, which the table [body] may name."""
 
 from __future__ import annotations
 

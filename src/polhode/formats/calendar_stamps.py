@@ -30,7 +30,7 @@ DATE, TIME_OF_DAY = "dates", "times of day"
 KINDS = (DATE, TIME_OF_DAY, *CALENDARS)
 OWN_SYSTEM = {"gps": "GPS", "unix": "UTC", "unix-ms": "UTC", "unix-us": "UTC", "unix-ns": "UTC"}
 FIRST_DAY = {"mjd": Decimal(40587), "jd": Decimal("2440587.5"), "gmat": Decimal("10587.5")}
-"""1970-01-01T00:00 as they count it [days]."""
+"""1970-01-01T00:00 in each calendar's count [days]."""
 GPS_ZERO = 3657 * 86400  # s from 1970-01-01 to 1980-01-06, both of a uniform system
 WEEK = 604_800  # s
 ROLLOVER = 1024  # weeks, after which receivers of the first signal begin again
@@ -42,7 +42,7 @@ Rows = Sequence[tuple[int, tuple[str, ...]]]
 class StampLimits(NamedTuple):
     """A number that decides what a column of stamps holds."""
 
-    max_rows_inspected: int = 200  # of a column, in which its first cell that is not blank is looked for
+    max_rows_inspected: int = 200  # of a column, searched for its first cell that is not blank
 
 
 LIMITS = StampLimits()
@@ -54,7 +54,7 @@ class ClockColumns(NamedTuple):
     Attributes:
         columns: from 0; two for weeks and seconds, or seconds and their fraction.
         units: of each; one of ``KINDS`` alone for a calendar.
-        system: the time system of a calendar that was said; None where it was not.
+        system: the given time system of a calendar; None where none is given.
     """
 
     columns: tuple[int, ...]
@@ -91,8 +91,8 @@ def read_calendar(path: Path, form: TableForm, clock: ClockColumns, decimal: str
     """Return the times of all rows, NaN where a row has none.
 
     Raises:
-        InvalidInput: where the time system is needed, and neither said nor in the stamps.
-        FormatError: naming the line, for what is no stamp.
+        InvalidInput: where the time system is needed, and neither given nor in the stamps.
+        FormatError: naming the line, for text that is no stamp.
     """
     rows = list(read_rows(path, form, clock.columns))
     if decimal == "comma":
@@ -187,7 +187,7 @@ def _read_moment(text: str, system: str, said: bool) -> tuple[int, int]:
     Args:
         text: the date.
         system: the time system of the column.
-        said: whether it was said, and is not that of the first date's zone.
+        said: whether the user gave it, and it is not that of the first date's zone.
 
     Raises:
         ValueError: with a message, for text that is not a date, and for a zone other than the column's.
@@ -202,13 +202,13 @@ def _read_moment(text: str, system: str, said: bool) -> tuple[int, int]:
 
 
 def _resolve_days(digits: int, largest: float) -> tuple[float, str]:
-    """Return by how much times in days may be off [s], and a note on it.
+    """Return the resolution of times in days [s], and a note on it.
 
     Args:
         digits: decimals that the days are printed with.
         largest: of the days.
 
-    Whoever prints a day with more digits than a double of its size tells apart has it in a double all the same.
+    A day that is printed with more digits than a double of its size resolves was computed as a double all the same.
     """
     printed, spacing = 0.5 * 86400 * 10.0**-digits, 86400 * float(np.spacing(largest))
     if printed >= 0.5 * spacing:
@@ -223,7 +223,7 @@ def _weeks(rows: Rows, first: int) -> Decimal:
 
 
 def _system(path: Path, form: TableForm, clock: ClockColumns, row: Sequence[str]) -> str:
-    """Return the time system: that of the calendar, that of a date's zone, or the one that was said."""
+    """Return the time system: that of the calendar, that of a date's zone, or the given one."""
     kind = clock.units[0]
     own = OWN_SYSTEM.get(kind)
     if kind == DATE and row:
@@ -245,7 +245,7 @@ def _instant(kind: str, numbers: Sequence[Decimal], system: str) -> tuple[int, i
     """Return whole seconds and picoseconds from 1970-01-01 of the time system, leap seconds counted.
 
     Raises:
-        ValueError: in words, for UTC before 1972.
+        ValueError: with a message, for UTC before 1972.
     """
     last_day = 2_932_897  # from 1970, with which the year 10000 begins
     if kind in FIRST_DAY:

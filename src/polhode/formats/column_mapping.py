@@ -1,7 +1,7 @@
 """The mapping that says what the columns of a plain table are, in the words of ``polhode import``.
 
 Nothing is assumed that would change the motion: units, the place of a quaternion's scalar and the sequence of Euler
-angles have to be said, here or by the names of the columns.
+angles must be given, here or by the names of the columns.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class ColumnMapping:
             the three of its vector part, whose scalar then follows from the length.
         order: "wxyz" or "xyzw", what these columns are in their order; None where their names end in w, x, y and z.
         direction: "body-to-space" where the rotation takes components along the body's axes to those along the axes
-            of space, else "space-to-body"; None is the first, but for matrices, where it has to be said unless an
+            of space, else "space-to-body"; None is the first, but for matrices, where it must be given unless an
             angular velocity shows it.
         matrix: the nine columns of the rotation matrix, row by row.
         mrp: the three columns of modified Rodrigues parameters.
@@ -252,14 +252,14 @@ def _units(value: Any, problems: list[str]) -> tuple[str, ...] | None:
 def _explain_reversed_names(columns: Sequence[str | int], sequence: Word) -> str:
     """Return a message where columns are named in the opposite order of the turns; "" elsewhere.
 
-    "roll, pitch, yaw" with "ZYX" usually means turns by yaw, pitch and roll, one after the other; taken as it stands
-    roll would be about z.
+    "roll, pitch, yaw" with "ZYX" usually means turns by yaw, pitch and roll, one after the other; in the
+    order as written roll would be about z.
     """
     named = [next((word for word in ("roll", "pitch", "yaw") if word in str(name).lower()), "") for name in columns]
     if named != ["roll", "pitch", "yaw"] or sequence not in ("ZYX", "zyx"):
         return ""
-    turned = ",".join(map(str, reversed(columns)))
+    reversed_names = ",".join(map(str, reversed(columns)))
     return (
         f"euler must have its columns in the order of the turns: {sequence} begins with one about {sequence[0]}, which "
-        f'is rarely roll. Write euler "{turned}", or give the columns by number if they are meant so.'
+        f'is rarely roll. Write euler "{reversed_names}", or give the columns by number if they are meant so.'
     )

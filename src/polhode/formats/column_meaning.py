@@ -33,22 +33,21 @@ class Understood(NamedTuple):
 
     Attributes:
         header: where its columns are named.
-        delimiter: what stands between them.
+        delimiter: the character between columns.
         time, attitude, angular_velocity: which columns these are, in which unit and direction; None for none.
         samples: how many lines are read.
         first, last: times [s].
         left_out: how many lines have no values.
         repeated: how many only repeat the one before.
-        spread: how many came at a time that was there already, with other values, and were spread over the clock's
-            step.
+        spread: how many repeat a time with other values, and were spread over the clock's step.
         largest_deviation: of |q| from 1, or of RᵀR from the unit matrix; None for attitudes that fit any numbers.
-        deviation_from: what of the attitude must be 1, in words.
-        rates_apart: by how much the rates differ from how fast the attitude turns, relative, both as root mean squares;
+        deviation_from: the name of the quantity that must be 1.
+        rates_apart: relative difference of the rates from the attitude's rate of turning, both as root mean squares;
             None where one is missing or the samples are too far apart.
         notes: contradictions between file and mapping, and the zero of the times.
         counted_from: the stamp of the file's clock that times count from [s], with all its digits; None for its zero,
             or a date.
-        time_resolution: by how much times may be off, as stamps are written with so many digits [s].
+        time_resolution: uncertainty of the times by the digits of the stamps [s].
     """
 
     header: str
@@ -86,9 +85,9 @@ def order_times(
         raise FormatError(f"{path}, line {line}: its time is too large for a number of seconds. Check its unit.")
     steps, same = np.diff(times), np.zeros(len(times), dtype=bool)
     same[1:] = (steps == 0.0) & (table.numbers[1:, 1:] == table.numbers[:-1, 1:]).all(axis=1)
-    stands = np.concatenate([[False], steps == 0.0]) & ~same
-    if is_coarse(int(stands.sum()), len(times)) and (steps >= 0.0).all() and np.ptp(times) > 0.0:
-        return spread_evenly(times[~same]), ~same, int(stands.sum())
+    repeated = np.concatenate([[False], steps == 0.0]) & ~same
+    if is_coarse(int(repeated.sum()), len(times)) and (steps >= 0.0).all() and np.ptp(times) > 0.0:
+        return spread_evenly(times[~same]), ~same, int(repeated.sum())
     wrong = ~((steps > 0) | same[1:])
     if wrong.any():
         row = int(np.argmax(wrong)) + 1
@@ -121,13 +120,13 @@ def agreement(
         return None
     with np.errstate(over="ignore", invalid="ignore"):  # of rates that no body has
         steps = 0.5 * (velocity[1:] + velocity[:-1]) * np.diff(times)[:, None]
-        turned = np.concatenate([np.zeros((1, 3)), np.cumsum(steps, axis=0)])
+        summed = np.concatenate([np.zeros((1, 3)), np.cumsum(steps, axis=0)])
         stride = 1
         while LIMITS.min_turns * stride < len(times):
             rows = np.arange(0, len(times), stride)
             before, after = attitude[rows[:-1]], attitude[rows[1:]]
             turns = rotation.as_rotation_vector(rotation.multiply(rotation.conjugate(before), after))
-            integrated = np.diff(turned[rows], axis=0)
+            integrated = np.diff(summed[rows], axis=0)
             small = np.linalg.norm(turns, axis=-1) < LIMITS.max_turn
             size = max(root_mean_square(turns[small]), root_mean_square(integrated[small])) if small.any() else 0.0
             if size > LIMITS.min_rms_turn:
@@ -146,7 +145,7 @@ def find_direction(
     Raises:
         InvalidInput: where it does not show it, or there is none.
     """
-    forward, back = (agreement(times, turned, velocity) for turned in (attitude, rotation.conjugate(attitude)))
+    forward, back = (agreement(times, one, velocity) for one in (attitude, rotation.conjugate(attitude)))
     for one, other, backward in ((forward, back, False), (back, forward, True)):
         if one is not None and other is not None and one < LIMITS.max_residual and other > LIMITS.min_residual_reversed:
             return backward

@@ -44,15 +44,15 @@ def read_timed(
 
 
 def rate_of_one(mapping: ColumnMapping, resolved: Resolved) -> float:
-    """Return the angular velocity [rad/s] that a 1 in the table stands for."""
+    """Return the angular velocity [rad/s] of a 1 in the table."""
     return read_scale(mapping.scale) if mapping.scale else IN_RADIANS[resolved.rate_unit]
 
 
 def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
     """Return the motion in a table of another tool, along the axes that the file has it in.
 
-    Delimiters (commas, semicolons, tabs, blanks) and the line of names are found by themselves; lines that begin with #
-    or % are comments. Lines without any value in the columns asked for are left out, and so is a line that only repeats
+    Delimiters (commas, semicolons, tabs, blanks) and the line of names are detected; lines that begin with # or % are
+    comments. Lines without any value in the columns asked for are left out, and so is a line that only repeats
     the one before it. The source is a ``Recording`` whose ``attributes`` say how the file was understood.
 
     Args:
@@ -61,13 +61,13 @@ def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
 
     Returns:
         Attitude body → space (T, 4) and angular velocity (T, 3) [rad/s, body axes], each None if the mapping has none;
-        times [s] as they stand in the file, in its unit, but of stamps with more digits than a double holds from the
-        first stamp on, which ``counted_from`` of the attributes tells.
+        times [s] as in the file, but of stamps with more digits than a double holds since the first stamp, which is
+        ``counted_from`` of the attributes.
 
     Raises:
-        InvalidInput: with a line for each thing of the mapping that does not fit the file.
-        FormatError: naming line and column, for what is not a number, not a rotation, or not later than the line
-            before.
+        InvalidInput: with a line for each word of the mapping that does not fit the file.
+        FormatError: naming line and column, for a cell that is no number, values that are no rotation, and a time not
+            later than that of the line before.
 
     >>> import tempfile
     >>> path = Path(tempfile.mkdtemp()) / "log.csv"

@@ -1,4 +1,4 @@
-"""Applies a mapping to a table: which columns are what, in which unit and order, by the mapping and the header."""
+"""Applies a mapping to a table: the quantity, unit and order of its columns, by the mapping and the header."""
 
 from __future__ import annotations
 
@@ -116,15 +116,17 @@ def _find_time_units(
     """Return the unit of each column of times, or the kind of calendar that they are of."""
     said = None if mapping.time_unit is None else tuple(map(str, mapping.time_unit))
     if len(places) == 1 and (said is None or len(said) == 1):
-        seen = kind_of_cells(path, form, places[0]) if said is None else None
+        calendar = kind_of_cells(path, form, places[0]) if said is None else None
         named = form.names[places[0]].strip().lower() if form.names else ""
-        if seen is None and said is None and bare_name(named) in ("mjd", "jd"):
-            seen = bare_name(named)
-        if seen is None and said is None and (odd := first_odd_cell(path, form, places[0])):
+        if calendar is None and said is None and bare_name(named) in ("mjd", "jd"):
+            calendar = bare_name(named)
+        if calendar is None and said is None and (odd := first_odd_cell(path, form, places[0])):
             problems.append(f"{name_column(form, places[0])} begins with {shown(odd)}, which is neither a number nor a "
                             "date or time of day. Write dates like 2026-03-01T12:00:00.")  # fmt: skip
             return ("",)
-        return (seen,) if seen else (unit("the time", "time", said[0] if said else None, TIME_UNITS, "time_unit"),)
+        if calendar:
+            return (calendar,)
+        return (unit("the time", "time", said[0] if said else None, TIME_UNITS, "time_unit"),)
     if len(places) == 2 and said in (("gps",), ("unix",)):
         return said * 2
     if len(places) == 2 and (said is None or len(said) != 2):

@@ -31,7 +31,7 @@ _VECTORS = {"angular_velocity": ("omega", "rad s-1"), "momentum": ("L", "kg m2 s
 
 
 def write_csv(trajectory: Trajectory, path: str | Path) -> Path:
-    """Write one body's motion as a table: time, attitude, angular velocity, momentum, then what else is known of it.
+    """Write one body's motion as a table: time, attitude, angular velocity, momentum, then all other known quantities.
 
     Columns are named like ``time [s]``, ``q_w``, ``omega_1 [rad s-1]``, ``L_1 [kg m2 s-1]``; numbers have the digits
     that they need to be read back exactly.
@@ -39,7 +39,7 @@ def write_csv(trajectory: Trajectory, path: str | Path) -> Path:
     Args:
         trajectory: of one body. Where the given axes are known, the table is along these, and its columns end in x, y
             and z; otherwise it is along the trajectory's own axes, 1, 2 and 3.
-        path: where to.
+        path: of the file.
 
     Raises:
         InvalidInput: for batches, and where the file cannot be written.

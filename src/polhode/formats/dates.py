@@ -37,7 +37,7 @@ def read_date(text: str) -> tuple[str, bool]:
     A leap second, 23:59:60, stays one where the zone is UTC's.
 
     Raises:
-        ValueError: in words, for what is no date.
+        ValueError: with a message, for text that is no date.
 
     >>> read_date("2020-11-15 01:34:05.25+01:00")
     ('2020-11-15T00:34:05.25', True)
@@ -69,7 +69,7 @@ def _minutes(zone: str) -> int:
 
 
 def _shift(text: str, day: str, hour: int, minute: int, ahead: int) -> tuple[str, str, str]:
-    """Return day, hour and minute in UTC of a zone that is so many minutes ahead; seconds are the same in all zones."""
+    """Return day, hour and minute in UTC of a zone that is some minutes ahead; seconds are equal in all zones."""
     form = "%Y-%j" if len(day) == 8 else "%Y-%m-%d"
     try:
         moment = datetime.strptime(day, form) + timedelta(hours=hour, minutes=minute - ahead)
@@ -82,7 +82,7 @@ def read_time_of_day(text: str) -> Decimal:
     """Return the seconds of a time of day, or of a stopwatch, exactly.
 
     Raises:
-        ValueError: in words, for what is none.
+        ValueError: with a message, for text that is none.
 
     >>> read_time_of_day("23:59:50.02")
     Decimal('86390.02')

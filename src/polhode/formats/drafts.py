@@ -1,9 +1,9 @@
 """Hidden folders in which files are written before they take their names.
 
-A draft is a folder ``.polhode-…`` next to the files it is for: what is to come is in ``new``, and what a store replaces
-waits in ``old``. The process that writes it holds the file ``lock``. The system lets go of the lock when the process
-ends, however it ends; so the next process that writes there knows an abandoned draft, puts back what waits in its
-``old``, and removes it.
+A draft is a folder ``.polhode-…`` next to the files it is for: new files are in ``new``, and a store that is to be
+replaced waits in ``old``. The process that writes it holds the file ``lock``. The system releases the lock when the
+process ends, however it ends; so the next process that writes there recognises an abandoned draft, puts back the
+content of its ``old``, and removes it.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class Draft:
     """A folder of files to come.
 
     Attributes:
-        folder: where they go.
+        folder: their final one.
         new: where they are written.
     """
 
@@ -81,7 +81,7 @@ class Draft:
             sync_to_disk(self.folder)
 
     def remove(self) -> None:
-        """Remove the folder and let go of the lock."""
+        """Remove the folder and release the lock."""
         with _moving, hold_signals():
             shutil.rmtree(self.home, ignore_errors=True)  # all but the lock's file, where open files stay
             self._lock.release()
@@ -145,7 +145,7 @@ def remove_live_drafts() -> None:
 
 
 def remove_abandoned(folder: Path) -> None:
-    """Remove the drafts in a folder whose process was killed; what a store was to replace is put back."""
+    """Remove the drafts in a folder whose process was killed; a store that was to be replaced is put back."""
     for home in folder.glob(f"{PREFIX}*"):
         if not _NAME.fullmatch(home.name) or home.is_symlink() or not home.is_dir():
             continue
@@ -187,12 +187,12 @@ def _put_back(aside: Path, target: Path) -> None:
 
 
 def _lock_of(home: Path) -> FileLock:
-    """Return the lock of a draft, which any thread may let go of: the one that ends a stopped process does."""
+    """Return the lock of a draft, which any thread may release: the one that ends a stopped process does."""
     return FileLock(home / "lock", thread_local=False)
 
 
 def sync_to_disk(path: Path) -> None:
-    """Wait until a file's bytes, or a folder's entries, are on the disk: some systems tell only then of a lack of room.
+    """Wait until a file's bytes, or a folder's entries, are on the disk: some systems report a full disk only then.
 
     Raises:
         OSError: as the system does; it may have no such call for folders.

@@ -28,7 +28,7 @@ def read_epoch(text: str, time_system: str) -> tuple[int, int]:
     Digits beyond picoseconds are rounded.
 
     Raises:
-        ValueError: in words, for what is not such an epoch.
+        ValueError: with a message, for text that is not such an epoch.
     """
     match = _FORM.fullmatch(text)
     if not match:
@@ -113,5 +113,5 @@ def as_text(whole: Integer[Array, "time"], picoseconds: Integer[Array, "time"], 
 
 
 def shortest(epoch: tuple[int, int], time_system: str) -> str:
-    """Return one instant without zeros at its end."""
+    """Return one instant without trailing zeros."""
     return as_text(np.array([epoch[0]]), np.array([epoch[1]]), time_system)[0].rstrip("0").rstrip(".")

@@ -1,4 +1,4 @@
-"""Figures as files, the same bytes for the same figure."""
+"""Figures as files, with equal bytes for equal figures."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SETTINGS: Any = {
     "svg.fonttype": "none",
     "svg.hashsalt": "polhode",  # names of clips and markers, otherwise drawn by chance
 }
-# what files say of themselves; without a date, so that the same motion gives the same file
+# metadata without a date, so that equal motions give equal files
 METADATA: dict[str, dict[str, Any]] = {
     "png": {"Software": "polhode"},
     "svg": {"Creator": "polhode", "Date": None},
@@ -53,6 +53,6 @@ def save_figure(figure: Figure, path: str | Path) -> Path:
 
 
 def is_ours(path: Path) -> bool:
-    """Whether a file is a figure that `save_figure` wrote, as it says itself."""
+    """Whether a file is a figure that `save_figure` wrote, by its metadata."""
     mark = _MARKS.get(path.suffix.removeprefix("."))
     return mark is not None and path.is_file() and mark in path.read_bytes()

@@ -1,4 +1,4 @@
-"""What describes a file format: how it is recognised, read and written. Each is a file in ``formats/forms``."""
+"""The description of a file format: how it is recognised, read and written. Each is a file in ``formats/forms``."""
 
 from __future__ import annotations
 
@@ -33,13 +33,13 @@ class Content:
 
     Attributes:
         name: of what moves.
-        labels: what attitude files say of it; None for those that it was read with, or the usual ones.
-        samples: its motion; None of what does not move.
+        labels: for attitude files; None for those that it was read with, or the usual ones.
+        samples: its motion; None where nothing moves.
         part: that part of the motion that is worth watching; None likewise.
         body: its mass properties, or None.
-        surface: returns what it looks like, in the given axes, or None.
-        spec: of which a format that needs no motion takes what it needs; None for a motion without one.
-        save: writes the data of the report on what does not move; None of what moves.
+        surface: returns its surface, in the given axes, or None.
+        spec: from which formats without a motion are written; None for a motion without one.
+        save: writes the data of a report without a motion; None where something moves.
     """
 
     name: str
@@ -56,7 +56,7 @@ class Content:
         """The motion.
 
         Raises:
-            InvalidInput: for what does not move.
+            InvalidInput: where nothing moves.
         """
         if self.samples is None:
             raise InvalidInput(f"{self.name} has no motion to write. Choose a form for what does not move.")
@@ -73,7 +73,7 @@ class Form:
         name: by which it is asked for, as in `polhode export --to`.
         title: as people call it: "AEM", "C-kernel".
         ending: of the file's name.
-        holds: what is in it, and with how many digits.
+        holds: its content, and with how many digits.
         write: writes the file and returns its path; None for a form that is only read.
         read: returns the trajectory in a file; None for a form that is only written.
         begins: whether a file that begins with these bytes is one; None for a form that is not read.
@@ -81,7 +81,7 @@ class Form:
         sampled: whether it holds the samples of the report.
         of_attitudes: whether readers interpolate its attitudes, so that a body must not turn far between samples.
         is_own: whether polhode alone writes such files, so that there is nothing to import.
-        has_labels: whether it tells objects, frames and epochs.
+        has_labels: whether it has objects, frames and epochs.
         resolution: of its times [s].
         is_table: whether it is a table whose columns are known by their names, which options of columns may overrule.
         named: whether a file of this name is one, of a form whose content does not show it; None for others.
@@ -112,8 +112,8 @@ class Form:
         """Write the file, whole or not at all, and return its path.
 
         Raises:
-            InvalidInput: for what the form cannot hold, a path that cannot be written to, and whatever a writer of
-                another package raises.
+            InvalidInput: for content that the form cannot hold, a path that cannot be written to, and any error of
+                another package's writer.
         """
         assert self.write is not None
         if self.is_ours:

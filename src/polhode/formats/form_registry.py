@@ -1,7 +1,7 @@
 """The list of file formats: the modules of ``formats/forms``, those of wings, and those of other packages.
 
-What is asked of all of them stands in the tables ``plugin.toml``, so that only a format that is used is imported. Those
-of other packages are imported in order to ask them.
+The tables ``plugin.toml`` hold what selects a format, so that only one that is used is imported. Formats of other
+packages are all imported for the selection.
 """
 
 from __future__ import annotations
@@ -25,17 +25,17 @@ HOME = Path(__file__).parent / "forms"
 
 
 class _Listed(NamedTuple):
-    """A form of this package that need not be imported: where it is, and what its table says."""
+    """A form of this package that need not be imported: its entry point and its row of ``plugin.toml``."""
 
     point: EntryPoint
-    told: dict[str, Any]
+    table: dict[str, Any]
 
     def load(self) -> Form:
         return self.point.load()
 
     def may(self, fits: Callable[[dict[str, Any]], bool]) -> bool:
-        """Whether its table says something fitting, or too little to know."""
-        return "ending" not in self.told or fits(self.told)
+        """Whether its table fits, or says too little to decide."""
+        return "ending" not in self.table or fits(self.table)
 
 
 def forms() -> dict[str, Form]:
@@ -56,7 +56,7 @@ def writable_names() -> list[str]:
 
 
 def _is_written(one: _Listed) -> bool:
-    return bool(one.told.get("writes")) or ("ending" not in one.told and one.load().write is not None)
+    return bool(one.table.get("writes")) or ("ending" not in one.table and one.load().write is not None)
 
 
 @cache
@@ -65,18 +65,18 @@ def _own() -> dict[str, _Listed]:
     beside = {module.name: f"polhode.formats.forms.{module.name}:FORM" for module in pkgutil.iter_modules([str(HOME)])}
     points = {name: EntryPoint(name, value, GROUP) for name, value in beside.items()} | wing_points(GROUP)
     listed = [_Listed(point, wing_details(GROUP).get(name, {})) for name, point in sorted(points.items())]
-    return {one.told.get("name", one.point.name): one for one in listed}
+    return {one.table.get("name", one.point.name): one for one in listed}
 
 
 @cache
 def _others() -> dict[str, Form]:
     """Return the forms of other packages by name, but those that cannot be imported."""
-    found = {}
+    others = {}
     for point in find_entry_points(GROUP, _own()).values():
         with contextlib.suppress(InvalidInput):
             form = _load(point)
-            found |= {} if form.name in _own() else {form.name: form}
-    return found
+            others |= {} if form.name in _own() else {form.name: form}
+    return others
 
 
 def _load(point: Any) -> Form:
@@ -87,7 +87,7 @@ def _load(point: Any) -> Form:
 
 
 def check_importable(name: str) -> None:
-    """Say why a form of another package is not there.
+    """Refuse a form of another package that is not available, with the reason.
 
     Raises:
         InvalidInput: where an entry point of this name cannot be imported, or names no form.
@@ -97,25 +97,25 @@ def check_importable(name: str) -> None:
 
 
 def writable_forms() -> dict[str, Form]:
-    """Return those that can be written, by name."""
+    """Return the forms that can be written, by name."""
     return {name: form for name in writable_names() if (form := find_form(name)) is not None}
 
 
 def forms_that_end(ending: str) -> list[Form]:
     """Return the forms whose files' names have an ending, in the order of ``forms``."""
-    return [form for form in _asked(lambda told: told["ending"] == ending) if form.ending == ending]
+    return [form for form in _asked(lambda row: row["ending"] == ending) if form.ending == ending]
 
 
 def form_that_is_named(path: Path) -> Form | None:
     """Return the form of a file whose content does not show it, by its name; None for none of them."""
-    asked = _asked(lambda told: any(fnmatch(path.name, pattern) for pattern in told.get("names", ())))
+    asked = _asked(lambda row: any(fnmatch(path.name, pattern) for pattern in row.get("names", ())))
     return next((form for form in asked if form.named is not None and form.named(path)), None)
 
 
 def form_that_begins(head: bytes) -> Form | None:
     """Return the form of a file by the bytes that it begins with; None for none of them."""
     small = head.lower()
-    asked = _asked(lambda told: any(text.lower().encode() in small for text in told.get("heads", ())))
+    asked = _asked(lambda row: any(text.lower().encode() in small for text in row.get("heads", ())))
     return next((form for form in asked if form.begins is not None and form.begins(head)), None)
 
 

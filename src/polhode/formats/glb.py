@@ -84,12 +84,12 @@ class Glb:
         corners = np.asarray(surface.vertices, dtype=float)[np.asarray(surface.faces)]
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         size = np.linalg.norm(normals, axis=1)
-        seen = size > 0
-        if not seen.any():
+        with_area = size > 0
+        if not with_area.any():
             return None
         attributes = {
-            "POSITION": self.numbers(corners[seen].reshape(-1, 3), bounds=True, for_vertices=True),
-            "NORMAL": self.numbers(np.repeat(normals[seen] / size[seen, None], 3, axis=0), for_vertices=True),
+            "POSITION": self.numbers(corners[with_area].reshape(-1, 3), bounds=True, for_vertices=True),
+            "NORMAL": self.numbers(np.repeat(normals[with_area] / size[with_area, None], 3, axis=0), for_vertices=True),
         }
         linear = [x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4 for x in color]
         look = {"baseColorFactor": [*linear, 1.0], "metallicFactor": 0.1, "roughnessFactor": 0.6}

@@ -49,7 +49,7 @@ def write_gltf(
 ) -> Path:
     """Write a motion as a glTF 2.0 animation in one binary file (.glb).
 
-    The body turns about its centre of mass or its fixed point, which stands at the origin; a rolling disk moves along.
+    The body turns about its centre of mass or its fixed point, which is at the origin; a rolling disk moves along.
     Arrows show principal axes 1, 2, 3 in vermilion, green and blue, and the angular momentum in orange. Space z is up:
     a node turns it to glTF's y. Numbers are in single precision, as the format has them: attitudes at the keys to
     1.2e-7 rad, and between them viewers interpolate. Exact motions are evaluated at the very times that the file holds,
@@ -70,8 +70,8 @@ def write_gltf(
         and the time [s] in the motion of its first key.
 
     Raises:
-        InvalidInput: for trajectories without attitude, of several bodies, or with samples so far apart that it is open
-            which way the body turned; for files that cannot be written.
+        InvalidInput: for trajectories without attitude, of several bodies, or with samples so far apart that the
+            direction of rotation is open; for files that cannot be written.
 
     >>> import tempfile
     >>> from polhode.exact.free_body import FreeMotion

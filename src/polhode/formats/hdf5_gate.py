@@ -16,7 +16,7 @@ from polhode.errors import FormatError, shown
 from polhode.formats.zarr_gate import check_size
 
 HEAP = b"GCOL\x01\0\0\0"  # how a heap of texts and references of varying length begins
-FILTERS = {1: "deflate", 2: "shuffle", 3: "fletcher32"}  # those that are in HDF5 itself and take no more than they give
+FILTERS = {1: "deflate", 2: "shuffle", 3: "fletcher32"}  # those in HDF5 itself, whose output is bounded
 OF_DIMENSIONS = ("DIMENSION_LIST", "REFERENCE_LIST")  # how NetCDF says which axis is which
 
 
@@ -58,7 +58,7 @@ def check_hdf5(path: Path) -> None:
 
     Raises:
         FormatError: for links and groups, arrays kept elsewhere, filters beyond ``FILTERS``, types other than numbers
-            and text, and arrays larger than what is stored can be.
+            and text, and arrays larger than the stored bytes can hold.
         Exception: whatever h5py raises on a broken file.
     """
     import h5py

@@ -125,8 +125,8 @@ def entries_in(names: Sequence[str]) -> str | None:
     >>> entries_in([f"R{i}{j}" for j in "123" for i in "123"]), entries_in([f"m[{k}]" for k in range(9)])
     ('11 21 31 12 22 32 13 23 33', None)
     """
-    found = [re.search(r"([0-3xyz])[\W_]*([0-3xyz])\W*$", name.lower()) for name in names]
-    pairs = [match[1] + match[2] for match in found if match]
+    matches = [re.search(r"([0-3xyz])[\W_]*([0-3xyz])\W*$", name.lower()) for name in names]
+    pairs = [match[1] + match[2] for match in matches if match]
     for letters in ("123", "012", "xyz"):
         if sorted(pairs) == sorted(i + j for i in letters for j in letters):
             return " ".join(f"{letters.index(i) + 1}{letters.index(j) + 1}" for i, j in pairs)

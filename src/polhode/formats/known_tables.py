@@ -1,6 +1,6 @@
-"""Tables that other programs write with columns of known names, so that nothing has to be said of them.
+"""Tables that other programs write with columns of known names, which need no mapping.
 
-Each of these programs has a module in ``formats/forms`` that knows its names; here is what they share.
+Each of these programs has a module in ``formats/forms`` that knows its names; here are their common functions.
 """
 
 from __future__ import annotations
@@ -48,20 +48,20 @@ def make_table_form(
 
 
 def _headers(head: bytes) -> list[list[str]]:
-    """Return the cells of the first lines of a file, by the signs that may stand between them."""
-    max_lines = 20  # in which names are looked for
+    """Return the cells of the first lines of a file, by each possible delimiter."""
+    max_lines = 20  # that are searched for names
     lines = head[:20000].decode("utf-8", "replace").splitlines()[:max_lines]
     signs = [sign for sign in (",", ";", "\t") if any(sign in line for line in lines)] or [None]
     return [[cell.strip(' "') for cell in line.lstrip("#% ").split(sign)] for line in lines for sign in signs]
 
 
 def find_one(names: Sequence[str], pattern: str) -> int | None:
-    """Return the column, from 1, whose name in small letters a pattern finds; None for none or several."""
-    found = [k for k, name in enumerate(names, 1) if re.search(pattern, name.strip().lower())]
-    return found[0] if len(found) == 1 else None
+    """Return the column, from 1, whose name in lower case matches a pattern; None for none or several."""
+    places = [k for k, name in enumerate(names, 1) if re.search(pattern, name.strip().lower())]
+    return places[0] if len(places) == 1 else None
 
 
 def find_series(names: Sequence[str], pattern: str, marks: Sequence[str]) -> list[int] | None:
     """Return the columns, from 1, of a pattern with each of some marks for its {}; None where one is missing."""
-    found = [find_one(names, pattern.replace("{}", re.escape(mark))) for mark in marks]
-    return [place for place in found if place is not None] if None not in found else None
+    places = [find_one(names, pattern.replace("{}", re.escape(mark))) for mark in marks]
+    return [place for place in places if place is not None] if None not in places else None

@@ -8,7 +8,7 @@ from typing import Any
 
 from polhode.motion._trajectory import Trajectory
 
-# what files that cannot do without them have for what is not known
+# for files that require them, where they are not given
 USUAL_ID, USUAL_ORIGINATOR, USUAL_NUMBER = "1900-000A", "POLHODE", -999
 # CCSDS 504.0-B-2, annex B3, and the registry of spacecraft body frames that it names
 _IN_SPACECRAFT = re.compile(
@@ -69,7 +69,7 @@ class Recording:
 
 
 def nameless(epoch: str, time_system: str) -> AttitudeLabels:
-    """Return labels that tell an epoch and no names, which are empty."""
+    """Return labels with an epoch alone; the names are empty."""
     return AttitudeLabels("", None, None, "", "", epoch, time_system, None, None)
 
 

@@ -1,6 +1,6 @@
 """Leap seconds as the IERS announces them, from the file that the package astropy-iers-data carries.
 
-That package appears every month; the file in it says until when no leap second can be missing.
+That package appears every month; its file gives the date up to which no leap second can be missing.
 
 Source: IERS, Bulletin C, and its file Leap_Second.dat.
 """

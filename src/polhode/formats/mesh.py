@@ -54,12 +54,12 @@ def read_mesh(
 ) -> tuple[Float64[Array, "n 3"], Integer[Array, "m 3"]]:
     """Return vertices (n, 3) [m] and faces (m, 3) of a mesh file (STL, OBJ, PLY, OFF, GLB, glTF in one file, 3MF, DAE).
 
-    Corners at exactly the same place become one, as STL files repeat them for every triangle.
+    Corners that coincide exactly are merged, as STL files repeat them for every triangle.
 
     Args:
         path: the file.
         unit: length of the file's unit [m]; it may be left out for 3MF and DAE files, which name theirs.
-        repair: merge corners closer than 1e-6 of the extent, drop triangles that are degenerate or there twice, fill
+        repair: merge corners closer than 1e-6 of the extent, drop degenerate and repeated triangles, fill
             small holes, and turn faces outward, or inward on cavities. Only on request, as it guesses.
 
     Raises:
@@ -114,11 +114,11 @@ def body_of_mesh(
 
 
 def _say(changes: tuple[str, ...], merged: int) -> tuple[str, ...]:
-    """Return what repair did as one sentence."""
+    """Return a sentence on the changes by repair."""
     if merged:
         changes = (f"made {merged} corners one with others less than 1e-6 of the mesh's size away", *changes)
     if not changes:
-        return ("repair found nothing to mend.",)
+        return ("repair had nothing to mend.",)
     return (f"repair {' and '.join(filter(None, (', '.join(changes[:-1]), changes[-1])))}.",)
 
 

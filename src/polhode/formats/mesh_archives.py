@@ -37,7 +37,7 @@ def names_its_unit(path: str | Path) -> bool:
 
 
 def check_archive(path: Path, ending: str, content: bytes, unit: float | None) -> float:
-    """Refuse a file that trimesh should not see, or whose unit is another one, and return its unit [m].
+    """Refuse a file that is not safe for trimesh, or whose unit contradicts the given one, and return its unit [m].
 
     Args:
         path: for messages.
@@ -55,7 +55,7 @@ def check_archive(path: Path, ending: str, content: bytes, unit: float | None) -
         except ImportError:
             raise not_installed(f"{ending.upper()} files", library, "meshes", "Or convert it to STL.") from None
     texts = _unpack(path, content) if ending == "3mf" else [content]
-    if any(b"\0" in text for text in texts):  # other encodings could hide what is looked for below
+    if any(b"\0" in text for text in texts):  # other encodings could hide the entities searched for below
         raise FormatError(f"{path}: must be written in UTF-8. Export it again.")
     if any(b"<!DOCTYPE" in text or b"<!ENTITY" in text for text in texts):
         raise FormatError(f"{path}: declares a document type, which a mesh has no use for. Export it again.")

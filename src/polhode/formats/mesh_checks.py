@@ -41,7 +41,7 @@ def as_text(path: Path, content: bytes) -> str:
     """Return text in UTF-8, or in Latin-1 where it is not that; names in mesh files are of any encoding.
 
     Raises:
-        FormatError: for what is not text.
+        FormatError: for bytes that are not text.
     """
     try:
         text = content.decode("utf-8-sig")
@@ -125,7 +125,7 @@ def _json(path: Path, content: bytes) -> dict[str, Any]:
 
 
 def _check_scene(path: Path, scene: dict[str, Any], size: int, alone: bool = True) -> None:
-    """Refuse scenes that are larger than their bytes, or a graph in which something stands below itself."""
+    """Refuse scenes that are larger than their bytes, or a graph in which a node is its own descendant."""
     try:
         buffers = scene.get("buffers", [])
         if any("uri" in buffer and (alone or not buffer["uri"].startswith("data:")) for buffer in buffers):
@@ -143,7 +143,7 @@ def _check_scene(path: Path, scene: dict[str, Any], size: int, alone: bool = Tru
             _refuse(path, f"has {len(nodes)} parts in its scene, and may have {LIMITS.max_parts}. Join them")
         children = [child for node in nodes for child in node.get("children", [])]
         if len(set(children)) != len(children):
-            _refuse(path, "has a part that stands in two places of its scene, which glTF does not allow")
+            _refuse(path, "has a part in two places of its scene, which glTF does not allow")
         shown_size = sum(sizes[node["mesh"]] for node in nodes if "mesh" in node)
         if shown_size > min(3 * LIMITS.max_triangles, LIMITS.max_repetitions * size):
             _refuse(path, f"shows {shown_size} corners in its scene, of {size} bytes")

@@ -162,7 +162,7 @@ def _several(path: Path, count: int) -> str:
 
 
 def _check_words(path: Path, text: str, form: str) -> None:
-    """Refuse words that Python takes for numbers and other programs do not; titles and comments are not looked at."""
+    """Refuse words that Python takes for numbers and other programs do not; titles and comments are not checked."""
     title_lines = {"extxyz": 2, "mol": 3, "sdf": 3}
     for number, line in enumerate(text.splitlines(), 1):
         of_atoms = form != "proteindatabank" or line.startswith(("ATOM", "HETATM"))

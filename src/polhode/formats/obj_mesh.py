@@ -22,7 +22,7 @@ def read_obj(path: Path, text: str) -> tuple[Float64[Array, "n 3"], Integer[Arra
     Corners count from 1, or backwards from the last one above the face.
 
     Raises:
-        FormatError: naming the line, for what is not three numbers or not a corner that is there.
+        FormatError: naming the line, where there are not three numbers, or no corner of that index.
     """
     vertices: list[list[float]] = []
     faces: list[tuple[int, int, int]] = []

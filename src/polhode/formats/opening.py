@@ -46,17 +46,17 @@ def open_for_a_spec() -> Iterator[None]:
 def record_files() -> Iterator[dict[Path, str]]:
     """Yield a dictionary that holds, after the block succeeds, every file that was read in it.
 
-    Absolute path → SHA-256 of the content: of what was opened here, and of what ``check_is_file`` was asked about
-    before a library opened it. Other threads are not recorded.
+    Absolute path → SHA-256 of the content: of files opened here, and of those that ``check_is_file`` checked before a
+    library opened them. Other threads are not recorded.
     """
-    seen: set[Path] = set()
+    opened: set[Path] = set()
     digests: dict[Path, str] = {}
-    before = _recordings.set((*_recordings.get(), seen))
+    before = _recordings.set((*_recordings.get(), opened))
     try:
         yield digests
     finally:
         _recordings.reset(before)
-    digests.update((path, content_digest(path)) for path in sorted(seen))
+    digests.update((path, content_digest(path)) for path in sorted(opened))
 
 
 def content_digest(path: Path) -> str:
@@ -86,11 +86,11 @@ def check_is_file(path: Path, kind: str, limit: int | None = None) -> None:
 
     Args:
         path: the file.
-        kind: what it should be, in words.
+        kind: of file that it should be, for messages.
         limit: bytes that the file may have; None where they are not to be counted.
 
     Raises:
-        InvalidInput: saying what is there instead.
+        InvalidInput: naming what the path is instead.
         FormatError: for a file that is too large.
     """
     try:
@@ -100,8 +100,8 @@ def check_is_file(path: Path, kind: str, limit: int | None = None) -> None:
         why = f"no such {kind} file. Check the path{within}."
         raise InvalidInput(f"{path}: {why}") from None
     _check(path, kind, status, limit)
-    for seen in _recordings.get():
-        seen.add(path.absolute())
+    for opened in _recordings.get():
+        opened.add(path.absolute())
 
 
 def is_folder(path: Path) -> bool:
@@ -125,7 +125,7 @@ def open_file(path: Path, kind: str, limit: int | None = None) -> BinaryIO:
     except OSError as error:
         raise InvalidInput(f"{path}: cannot be read ({error.strerror}). Check the path.") from None
     try:
-        _check(path, kind, os.fstat(file.fileno()), limit)  # of what was opened, whatever the path means by now
+        _check(path, kind, os.fstat(file.fileno()), limit)  # of the opened file, whatever is at the path by now
     except InvalidInput:
         file.close()
         raise
@@ -133,7 +133,7 @@ def open_file(path: Path, kind: str, limit: int | None = None) -> BinaryIO:
 
 
 class _File(io.FileIO):
-    """A file whose read errors name it, whoever reads."""
+    """A file whose errors of reading name it, in libraries too."""
 
     def __init__(self, path: Path, descriptor: int) -> None:
         super().__init__(descriptor, "rb")

@@ -12,7 +12,7 @@ from pathlib import Path
 from polhode.errors import InvalidInput, PolhodeError, one_line, shown
 from polhode.formats.drafts import Draft, draft_in, make_folder
 
-# what a disk without room says, and a limit of a user's
+# errors of a full disk, and of a user's quota
 FULL = (errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC))
 _common_draft: ContextVar[Draft | None] = ContextVar("common_draft", default=None)
 
@@ -39,17 +39,16 @@ def as_path(name: str, value: str | os.PathLike[str]) -> Path:
 def write_whole(path: str | Path, replaces: Callable[[Path], bool] | None = None) -> Iterator[Path]:
     """Yield a draft path that takes the place of ``path`` when the block ends well, and leaves no trace otherwise.
 
-    The draft has the name of the file, ending included, in a hidden folder next to it. What is written there may be a
-    folder too, such as a Zarr store.
+    The draft has the name of the file, ending included, in a hidden folder next to it. It may become a folder too, such
+    as a Zarr store.
 
     Args:
         path: where the file has to go; a file that is there already is replaced.
-        replaces: says of a folder that is there already whether it is a store that may be replaced; without it no
-            folder may.
+        replaces: returns whether a folder that is there already is a store that may be replaced; without it none may.
 
     Raises:
         InvalidInput: for a folder that is missing or cannot be written to, a destination that is not a file, and for
-            what the system refuses while the block writes.
+            errors of the system while the block writes.
     """
     path = Path(path)
     with _reword_errors(path):
@@ -92,7 +91,7 @@ def write_together(folder: str | Path) -> Iterator[Path]:
     The folder is made where it is missing, and is gone again if the block fails.
 
     Args:
-        folder: where the files have to go; those of the same names are replaced, all others stay.
+        folder: for the files; namesakes there are replaced, all others stay.
 
     Raises:
         InvalidInput: as ``write_whole`` does, and where a folder is in a file's place.

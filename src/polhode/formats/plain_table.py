@@ -22,7 +22,7 @@ from polhode.types import Array, Float64, Integer
 LARGEST_FILE = 2000 * MB
 BLOCK = 2_000_000  # characters that are in memory at once
 MISSING = ("", "nan", "na", "n/a", "null", "none", "-")
-"""The text of cells without a number, in small letters."""
+"""The text of cells without a number, in lower case."""
 _NO_CELLS = re.compile(rf"(?m)^\s*(?:[{''.join(COMMENT)}]|$)")
 _DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?", re.ASCII)
 
@@ -44,13 +44,13 @@ def table_form(path: Path) -> TableForm:
 
     Raises:
         InvalidInput: for what is missing, not a regular file, or cannot be read.
-        FormatError: for what is not text, or not a table.
+        FormatError: for a file that is not text, or not a table.
     """
     return detect_form(path, first_lines(path))
 
 
 def first_lines(path: Path) -> list[Line]:
-    """Return the lines from which the form is found; raises as ``table_form`` does."""
+    """Return the lines from which the form is detected; raises as ``table_form`` does."""
     return list(islice(_read_lines(path), FORM_LIMITS.max_comments + FORM_LIMITS.max_rows))
 
 
@@ -63,7 +63,7 @@ def detect_decimal(path: Path, form: TableForm) -> str:
     if form.delimiter == ",":
         return "point"
     texts = [line.text for line in first_lines(path) if line.number >= form.first and not is_comment(line.text)]
-    cells = [cell.strip(' "') for text in texts[:HEAD] for cell in text.split(form.delimiter)]
+    cells = [cell.strip(' "') for text in texts[: FORM_LIMITS.max_rows] for cell in text.split(form.delimiter)]
     commas = any(map(_DECIMAL_COMMA.fullmatch, cells))
     return "comma" if commas and not any("." in cell for cell in cells) else "point"
 
@@ -114,7 +114,7 @@ def _join_blocks(blocks: list[Array]) -> Array:
 
 
 def read_texts(path: Path, form: TableForm, column: int) -> Iterator[str]:
-    """Yield the cells of a column as they stand, of a table that ``read_cells`` has read without complaint.
+    """Yield the cells of a column unchanged, from a table that ``read_cells`` has read without an error.
 
     Raises:
         InvalidInput, FormatError: as ``table_form`` does.

@@ -18,7 +18,7 @@ def read_scale(text: str) -> float:
     """Return the rate [rad/s] of one count.
 
     Raises:
-        ValueError: in words, for what is no scale.
+        ValueError: with a message, for text that is no scale.
 
     >>> round(1.0 / read_scale("131 LSB/(deg/s)"), 6), round(read_scale("70 mdps/LSB") * 180 / 3.141592653589793, 9)
     (7505.747116, 0.07)

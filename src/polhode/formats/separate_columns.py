@@ -25,7 +25,8 @@ def read_42(path: Path) -> Trajectory:
 
     Raises:
         InvalidInput: where the file of times is not next to it.
-        FormatError: naming the line, for what is not a number or a unit quaternion, and for files of other lengths.
+        FormatError: naming the line, for values that are no number or no unit quaternion, and for files of other
+            lengths.
     """
     beside = path.with_name(TIMES)
     if not beside.is_file():

@@ -1,6 +1,6 @@
 """Time stamps with more digits than a double holds, as seconds from the first of them.
 
-A clock that counts nanoseconds since 1970 has nineteen digits, and a double tells 2.4e-7 s apart there. Differences of
+A clock that counts nanoseconds since 1970 has nineteen digits, and doubles are 2.4e-7 s apart there. Differences of
 stamps are short again, so they are formed before anything is rounded.
 """
 
@@ -39,9 +39,9 @@ class Clock(NamedTuple):
 
     Attributes:
         times: (n,) [s], NaN where there is none.
-        begin: the stamp that they count from [s]; 0 for stamps as they stand, and where there is an epoch.
-        epoch: calendar date and time system of time zero; None where the stamps do not tell it.
-        resolution: by how much times may be off, as stamps are written with so many digits [s].
+        begin: the stamp that they count from [s]; 0 for unchanged stamps, and where there is an epoch.
+        epoch: calendar date and time system of time zero; None where the stamps have none.
+        resolution: uncertainty of the times by the digits of the stamps [s].
         remarks: on how stamps were read.
     """
 
@@ -74,7 +74,7 @@ def read_clock(
         unit: of the stamps, one of ``header_words.TIME_UNITS``.
         decimal: "point" or "comma".
         stamps: (n,) as ``read_cells`` gives them, NaN where a cell is blank.
-        begin: the stamp [s] that a file beside this one counts from, for the same; None to find one.
+        begin: the stamp [s] that a file beside this one counts from, to count from it too; None to choose one.
 
     Raises:
         InvalidInput, FormatError: as reading the table does.
@@ -96,7 +96,7 @@ def read_clock(
 
 
 def in_words(seconds: Decimal) -> str:
-    """Return an exact number of seconds with all digits that it has, and none of those that are zero at the end.
+    """Return an exact number of seconds with all its digits, without trailing zeros.
 
     >>> in_words(Decimal("1605400445005000000") * Decimal("1e-9")), in_words(Decimal("-0E-9"))
     ('1605400445.005', '0')
@@ -110,7 +110,7 @@ def exact_number(text: str) -> Decimal:
     """Return the number that a text is, with every digit.
 
     Raises:
-        ValueError: for what is not a finite number of digits, a point, a sign and a small exponent.
+        ValueError: for anything but a finite number of digits, a point, a sign and a small exponent.
     """
     try:
         number = Decimal(text)

@@ -44,7 +44,7 @@ class TableForm(NamedTuple):
     """The form of a table.
 
     Attributes:
-        delimiter: one of ``DELIMITERS``; a blank stands for any number of blanks and tabs.
+        delimiter: one of ``DELIMITERS``; a blank means any number of blanks and tabs.
         width: how many columns it has.
         names: of the columns; none where no line names them.
         named_in: the number of the line that does.

@@ -33,7 +33,7 @@ def terrestrial_time(epoch: str, time_system: str) -> Fraction:
     """Return the TT seconds past J2000 (2000-01-01T12:00:00 TT) of a calendar epoch, exactly but for TDB.
 
     Raises:
-        InvalidInput: for what is not an epoch, or a time system other than UTC, TAI, TT, TDB and GPS.
+        InvalidInput: for text that is no epoch, and a time system other than UTC, TAI, TT, TDB and GPS.
 
     >>> float(terrestrial_time("2000-01-01T11:58:55.816", "UTC"))
     0.0

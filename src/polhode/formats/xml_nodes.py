@@ -29,7 +29,7 @@ class Node:
         tag: its name.
         line: where it begins.
         attributes: by name.
-        text: in it, without what is in its children.
+        text: in it, without that of its children.
         children: the elements in it.
     """
 
@@ -59,7 +59,7 @@ def read_xml(path: Path, kind: str, limit: int) -> Node:
 
     Raises:
         InvalidInput: where the file is missing, or cannot be read.
-        FormatError: for what is no XML, and for documents with a DOCTYPE, whose entities may grow without bounds.
+        FormatError: for anything but XML, and for documents with a DOCTYPE, whose entities may grow without bounds.
     """
     parser = expat.ParserCreate()
     parser.buffer_text = True

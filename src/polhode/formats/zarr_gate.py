@@ -1,7 +1,7 @@
 """Checks of Zarr stores before zarr opens them: plain files, known codecs, sizes that the files can hold.
 
-A store names the code that decodes it, pickle among it, and sizes that need not fit its bytes. Read here are the
-documents on the disk as JSON, and the first bytes of every chunk; nothing is decoded by what the store names.
+A store names the code that decodes it, pickle among it, and sizes that need not fit its bytes. Here only the documents
+on the disk are read, as JSON, and the first bytes of every chunk; no codec of the store runs.
 
 Source: Zarr storage specification, version 2; the frame formats of Blosc, Zstandard (RFC 8878) and numcodecs' LZ4.
 """
@@ -23,7 +23,7 @@ from polhode.formats.opening import MB, check_is_file, read_file
 
 LARGEST_DOCUMENT = 4 * MB
 LARGEST_CHUNK_FILE = 2000 * MB
-OF_A_SWEEP = ".sweep"  # the folder in a store that tells that it is a sweep's
+OF_A_SWEEP = ".sweep"  # the folder that marks a store as a sweep's
 DOCUMENTS = (".zarray", ".zgroup", ".zattrs", ".zmetadata")
 _DTYPE = re.compile(r"[<>|](?:[iu][1248]|f[248]|b1|[US][1-9]\d{0,3})", re.ASCII)
 
@@ -81,7 +81,7 @@ def check_size(path: Path, declared: int, stored: int) -> None:
     """Refuse arrays whose declared size exceeds what the stored bytes can hold.
 
     Raises:
-        FormatError: saying both sizes.
+        FormatError: with both sizes.
     """
     if declared > LIMITS.spare_bytes + LIMITS.max_compression * stored:
         said = f"{declared / MB:,.0f}" if declared < 1e15 else "more than a billion"
@@ -206,4 +206,4 @@ def _of_zstd(content: bytes, whole: int) -> int:
 CODECS: dict[str, Callable[[bytes, int], int]] = {
     "blosc": _of_blosc, "zstd": _of_zstd, "lz4": _of_lz4, "zlib": _of_zlib, "gzip": _of_zlib,
 }  # fmt: skip
-"""How many bytes a chunk says it holds, or -1 for what is not such a chunk, by the codec's name."""
+"""The number of bytes that a chunk of this codec declares, or -1 for bytes that are no such chunk."""

@@ -1,4 +1,4 @@
-"""Kinds of motion that a spec can name: one folder each, which is found without being registered.
+"""Kinds of motion that a spec can name: one folder each; none needs to be registered.
 
 ``docs/add_a_kind.md`` says what a folder holds, and how another package adds a kind of its own. What an author needs
 for one is exported here.

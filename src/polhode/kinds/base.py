@@ -64,7 +64,7 @@ class NextStep(NamedTuple):
 
     Attributes:
         command: of ``polhode``, which takes the spec.
-        gives: what the command does, as the rest of a sentence: "shows the motion".
+        gives: the command's effect, as the rest of a sentence: "shows the motion".
     """
 
     command: str
@@ -90,7 +90,7 @@ class AbstractKind(abc.ABC, Generic[TableT]):
     A folder of ``polhode.kinds``, or a module that a wing names under [kinds] of its ``plugin.toml``, or another
     package in the entry-point group ``polhode.kinds``, offers one object of a subclass as ``KIND``. Importing it must
     be cheap: the other files of its folder are imported when they are needed. What they have under these names is
-    found, and a method that needs more than that is overridden:
+    used, and a method that needs more than that is overridden:
 
     ========================  ==================================================================================
     ``answers.py``            ``make_report``, which each kind needs; ``simulate_motion``, ``make_motion``,
@@ -136,11 +136,11 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         return self._file("example.toml")
 
     def model_of(self, raw: dict[str, Any]) -> type[BaseModel]:
-        """Return the model that checks a raw [system], with what stands beside it; ``table`` where none is chosen."""
+        """Return the model that checks a raw [system], with the tables beside it; ``table`` where none is chosen."""
         return self._call("table", "model_of", raw, otherwise=self.table)
 
     def settle(self, checked: Any) -> TableT:
-        """Return what a spec keeps of the object of ``model_of``: itself where nothing else is chosen."""
+        """Return the part that a spec keeps of the object of ``model_of``: by default all of it."""
         return self._call("table", "settle", checked, otherwise=checked)
 
     def report(self, spec: Spec[TableT]) -> SystemReport:
@@ -219,7 +219,7 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         return self.panel() is not None or (self.has_motion and self.has_attitude)
 
     def check_motion(self) -> None:
-        """Refuse what needs a motion.
+        """Refuse a command that needs a motion.
 
         Raises:
             InvalidInput: for a kind without one.
@@ -281,7 +281,7 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         return PageContent(panels, self._scripts(), model, **panel.plots(trajectory, samples))
 
     def _find(self, file: str, name: str) -> Any:
-        """Return what a file of the kind's folder has under a name, or of that of a kind it derives from; else None."""
+        """Return the object of a name in a file of the kind's folder, or of a base kind's folder; else None."""
         for kind in type(self).__mro__[: -len(AbstractKind.__mro__)]:
             module = f"{getattr(sys.modules.get(kind.__module__), '__package__', None) or kind.__module__}.{file}"
             if _is_there(module) and (thing := getattr(import_module(module), name, None)) is not None:
@@ -289,7 +289,7 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         return None
 
     def _call(self, file: str, name: str, *args: Any, otherwise: Any = None) -> Any:
-        """Return what such a function gives; something else where there is none."""
+        """Return the result of such a function; ``otherwise`` where there is none."""
         function = self._find(file, name)
         return otherwise if function is None else function(*args)
 
@@ -340,15 +340,15 @@ class Spec(Generic[TableT]):
         kind: what moves.
         system: the table [system], with its defaults.
         body: its mass properties; None where the system has sizes of its own.
-        spin: as it stands in the file, None for rest.
-        until: end of the samples [s], None for the kind's own choice.
+        spin: as given in the file, None for rest.
+        until: end of the samples [s]; None lets the kind choose.
         samples: how many.
         labels: metadata for attitude files.
         source: the table that describes the body; None where the system has sizes of its own.
         folder: that relative paths start from.
         instants: times [s], zero first, in place of equal steps up to ``until``, their last.
         body_notes: sentences on how the body was made: what was repaired or rounded.
-        plugins: what was taken of other packages to read it: kinds, torques, mounts and laws that it names.
+        plugins: parts of other packages that it names: kinds, torques, mounts and laws.
     """
 
     name: str
@@ -372,7 +372,7 @@ class Spec(Generic[TableT]):
 
     @cached_property
     def picture(self) -> Surface | None:
-        """What a page draws of the body: its surface, painted if the spec names a look."""
+        """The body's surface as a page draws it, painted if the spec names a look."""
         if self.source is None:
             return self.surface
         from polhode.spec.looks import paint_body
@@ -430,7 +430,7 @@ class Spec(Generic[TableT]):
     def _within_double_precision(self) -> Iterator[None]:
         """Raise an error that explains an overflow of double precision on the way to the answers.
 
-        NumPy says nothing meanwhile: what is not finite in the end is seen there.
+        NumPy's warnings are off meanwhile: results that are not finite are refused in the end.
         """
         try:
             with np.errstate(all="ignore"):

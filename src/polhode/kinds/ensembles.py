@@ -1,4 +1,4 @@
-"""Many motions at once: the samples of a sweep that a kind computes together, and what it answers."""
+"""Many motions at once: the samples of a sweep that a kind computes together, and its answers."""
 
 from __future__ import annotations
 

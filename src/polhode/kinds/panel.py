@@ -39,7 +39,7 @@ class KindPanel:
         return None
 
     def scatters(self, report: Any) -> tuple[dict[str, Any], ...]:
-        """Return what a report's page draws besides the motion."""
+        """Return the further pictures of a report's page."""
         return ()
 
     def shown(self, report: Any) -> Trajectory:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def plot(motion: AbstractMotion | Trajectory | Report) -> Figure:
-    """Return the most telling picture of a motion: that of its kind, else its state against time.
+    """Return the main picture of a motion: that of its kind, else its state against time.
 
     A free body's is its momentum sphere, with Ω and L over time; a top's is the path of its axis, with tilt and Ω. Of a
     report it is the first of its figures; ``report.plot()`` has them all by name.

@@ -29,15 +29,15 @@ from polhode.spec.parsing import name_parts, read_tables
 from polhode.spec.reach import beyond_reach
 from polhode.spec.rules import Location, Mistake, body_sources, find_broken_rules, table_rules
 
-SWEEP = "sweep"  # the table that asks for many motions, of which a spec is one
+SWEEP = "sweep"  # the table of a sweep, for which a spec is the template
 
 
 def read_spec(path: str | Path) -> Spec[Any]:
     """Read a spec; every mistake in it is reported at once.
 
     Raises:
-        InvalidInput: naming the file and, for each mistake, the key, the rule and what came.
-        FormatError: if the file is not TOML, or a file that it names is not what it should be.
+        InvalidInput: naming the file and, for each mistake, the key, the rule and the given value.
+        FormatError: if the file is not TOML, or a file that it names is of another format.
     """
     path = Path(path)
     tables = read_tables(path)
@@ -131,7 +131,7 @@ def _report_on_file(path: Path) -> SystemReport:
 
 
 def model_of_tables(kind: AbstractKind, tables: dict[str, Any]) -> type[BaseModel]:
-    """Return the model of a kind's table [system], with what a file gives beside it."""
+    """Return the model of a kind's table [system], with the tables that a file gives beside it."""
     raw, _, _ = _read_system(tables.get("system", kind.name))
     return kind.model_of(_join_tables_beside(kind, raw, dict(tables))[0])
 
@@ -149,7 +149,7 @@ def kind_of_tables(tables: dict[str, Any], path: Path) -> AbstractKind:
 
 
 def _read_system(raw: Any) -> tuple[Any, AbstractKind | None, list[Mistake]]:
-    """Return the table [system] in its long form, the kind that it names, and what is wrong with it."""
+    """Return the table [system] in its long form, the kind that it names, and its mistakes."""
     raw = {"kind": raw} if isinstance(raw, str) else raw
     if isinstance(raw, dict):
         return raw, *_kind(raw)
@@ -158,7 +158,7 @@ def _read_system(raw: Any) -> tuple[Any, AbstractKind | None, list[Mistake]]:
 
 
 def _kind(raw: dict[str, Any]) -> tuple[AbstractKind | None, list[Mistake]]:
-    """Return the kind that a raw table [system] names, or what is wrong with the name."""
+    """Return the kind that a raw table [system] names, or the mistake in the name."""
     name = raw.get("kind")
     kind = find_kind(name) if isinstance(name, str) else None
     if kind is not None:
@@ -170,7 +170,7 @@ def _kind(raw: dict[str, Any]) -> tuple[AbstractKind | None, list[Mistake]]:
 
 
 def _rules_of_kind(kind: AbstractKind | None, tables: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield which tables are missing or too many, and what the kind's own keys break."""
+    """Yield missing and superfluous tables, and mistakes in the kind's own keys."""
     yield from table_rules(tables, "" if kind is None else kind.name, None if kind is None else kind.table)
     if kind is not None:
         yield from _as_written(kind, kind.rules(tables))
@@ -185,7 +185,7 @@ def _system(kind: AbstractKind, raw: dict[str, Any]) -> tuple[SystemTable | None
 
 
 def _join_tables_beside(kind: AbstractKind | None, raw: Any, table: dict[str, Any]) -> tuple[Any, list[Mistake]]:
-    """Move a kind's own tables from the top of a file into its [system], and return that, and what is misplaced."""
+    """Move a kind's own tables from the top of a file into its [system]; return that, and misplaced keys."""
     beside = () if kind is None else kind.table.beside
     wrong: list[Mistake] = []
     for key in [key for key in table if key not in SpecFile.model_fields and key not in beside]:
@@ -196,7 +196,7 @@ def _join_tables_beside(kind: AbstractKind | None, raw: Any, table: dict[str, An
     if not isinstance(raw, dict):
         return raw, wrong
     for key in [key for key in beside if key in raw]:
-        wrong.append((("system", key), f"stands at the top of the file and not in [system]; write it as [{key}]"))
+        wrong.append((("system", key), f"belongs at the top of the file and not in [system]; write it as [{key}]"))
     kept = {key: value for key, value in raw.items() if key not in beside}
     return kept | {key: table.pop(key) for key in beside if key in table}, wrong
 
@@ -213,8 +213,8 @@ def _build_body(
 ) -> tuple[BuiltBody | None, list[tuple[Location, InvalidInput]]]:
     """Return the body, or the mistakes in its table.
 
-    Beside mistakes, what is right in itself is tried on its own: each part, and the source of the body with its other
-    keys as if they were right.
+    Where there are mistakes, every part that is right in itself is tried on its own: each part, and the source of the
+    body as if its other keys were right.
     """
 
     def clean(location: Location) -> bool:
@@ -249,7 +249,7 @@ def _build_body(
 def _attempt(
     table: dict[str, Any], path: Path, numbers: list[int]
 ) -> tuple[BuiltBody | None, list[tuple[Location, InvalidInput]]]:
-    """Return the body of a table whose parts have these numbers in the file, or what is wrong with it."""
+    """Return the body of a table whose parts have these numbers in the file, or its mistakes."""
     try:
         return build_body(BodyTable.model_validate(table), path.parent, path), []
     except PartsRefused as error:

@@ -1,6 +1,6 @@
 """The list of kinds: the folders next to this file, those of wings, and those of other packages.
 
-What is asked of all of them stands in the tables ``plugin.toml``, so that a spec imports the kind that it names alone.
+The tables ``plugin.toml`` hold what selects a kind, so that a spec imports only the kind that it names.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ HOME = Path(__file__).parent
 
 @cache
 def _own() -> dict[str, EntryPoint]:
-    """Return what this package has itself, by name."""
+    """Return the entry points of this package, by name."""
     folders = (module.name for module in pkgutil.iter_modules([str(HOME)]) if module.ispkg)
     names = {folder.replace("_", "-"): f"{__package__}.{folder}:KIND" for folder in folders}
     return {name: EntryPoint(name, value, GROUP) for name, value in names.items()} | wing_points(GROUP)
@@ -65,12 +65,12 @@ def default_kind() -> AbstractKind:
 
 def default_kind_name() -> str:
     """Return the name of ``default_kind``, which is not imported."""
-    return next(name for name, told in wing_details(GROUP).items() if told.get("default"))
+    return next(name for name, row in wing_details(GROUP).items() if row.get("default"))
 
 
 def other_kind(subject: str, in_closed_form: bool) -> AbstractKind | None:
-    """Return another kind with the same subject, in closed form or by steps, for a remedy to name; None without one."""
-    named = [name for name in kind_names() if _may_have(name, "subject", lambda told: told == subject)]
+    """Return another kind of this subject, in closed form or by steps, for a remedy to name; None without one."""
+    named = [name for name in kind_names() if _may_have(name, "subject", lambda value: value == subject)]
     alike = (kind for kind in _importable(named) if kind.subject == subject != "")
     return next((kind for kind in alike if kind.in_closed_form == in_closed_form), None)
 
@@ -91,7 +91,7 @@ def known_figures() -> set[str]:
 
 
 def kind_of_source(source: Any) -> AbstractKind | None:
-    """Return the kind whose pictures show what a trajectory came from; None where no kind has any of its own."""
+    """Return the kind whose pictures show a trajectory's source; None where no kind has any of its own."""
     name = getattr(source, "kind", "")
     with contextlib.suppress(PolhodeError):
         return find_kind(name) if isinstance(name, str) and name else None
@@ -109,15 +109,15 @@ def next_steps(spec: Spec) -> list[NextStep]:
 
 
 def _may_have(name: str, key: str, fits: Callable[[Any], bool]) -> bool:
-    """Whether a kind's line in the tables has a key with a fitting value; only importing tells it of others' kinds."""
-    told = wing_details(GROUP).get(name, {})
-    return name not in _own() or (key in told and fits(told[key]))
+    """Whether a kind's row in the tables has a fitting value of a key; kinds of other packages have no row, and may."""
+    row = wing_details(GROUP).get(name, {})
+    return name not in _own() or (key in row and fits(row[key]))
 
 
 def _importable(names: Iterable[str] | None = None) -> Iterator[AbstractKind]:
     """Yield kinds, all or those of some names, but those of other packages that cannot be imported.
 
-    To be listed is not to take part.
+    A plug-in that is only listed is not recorded as used.
     """
     for name in kind_names() if names is None else names:
         with contextlib.suppress(PolhodeError):

@@ -1,4 +1,4 @@
-"""Attitudes and vectors of a body along one set of its axes, turned to another."""
+"""Attitudes and vectors of a body from one set of its axes to another."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Turn(NamedTuple):
 
     Attributes:
         matrix: (…, 3, 3) a rotation, or one for each body.
-        quaternion: (…, 4) the same.
+        quaternion: (…, 4) of that rotation.
     """
 
     matrix: Float64[Array, "*turns 3 3"]
@@ -42,11 +42,11 @@ class Turn(NamedTuple):
 
     @property
     def back(self) -> Turn:
-        """The turn back, which leaves an attitude with the sign that it had."""
+        """The inverse turn, after which an attitude has its former sign."""
         return Turn(self.matrix.mT, rotation.conjugate(self.quaternion))
 
     def plain(self) -> PlainTurn:
-        """Return the same turn for single numbers."""
+        """Return this turn for single numbers."""
         rows = tuple(tuple(row) for row in np.asarray(self.matrix).tolist())
         return PlainTurn(tuple(np.asarray(self.quaternion).tolist()), rows)
 
@@ -70,7 +70,7 @@ class Turn(NamedTuple):
 
 
 class PlainTurn(NamedTuple):
-    """A turn of single numbers, with the bits of the same turn of arrays, without what arrays cost."""
+    """A turn of single numbers, with the bits of that of arrays, without their overhead."""
 
     quaternion: tuple[float, ...]
     rows: tuple[tuple[float, ...], ...]
@@ -92,7 +92,7 @@ def chosen_axes(
 
     Args:
         axes: "principal", "given", or axes by columns in the given ones.
-        given_axes: the principal axes by columns in the given ones; None where these are the same.
+        given_axes: the principal axes by columns in the given ones; None where the two coincide.
 
     Raises:
         InvalidInput: for anything else.
@@ -112,7 +112,7 @@ def chosen_axes(
 
 
 def shared_axes(axes: Float64[Array, "..."] | None) -> Float64[Array, "3 3"] | None:
-    """Return the axes that all bodies of a batch have in common, each of which JAX may have given its own copy.
+    """Return the axes that all bodies of a batch have in common, of which JAX may have made a copy for each.
 
     Raises:
         InvalidInput: where they differ, or are traced.

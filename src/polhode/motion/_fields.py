@@ -10,7 +10,8 @@ import numpy as np
 from polhode._base.arrays import is_jax, namespace
 from polhode.types import Array
 
-CORES = {"moments": 1, "momentum_at_epoch": 1, "attitude_at_epoch": 1, "axes": 2, "given_axes": 2}  # axes of one body's
+CORES = {"moments": 1, "momentum_at_epoch": 1, "attitude_at_epoch": 1, "axes": 2, "given_axes": 2}
+"""How many axes each field has for one body."""
 _known: set[type] = set()
 
 
@@ -46,9 +47,9 @@ def register_fields(kind: type, body_numbers: tuple[str, ...]) -> None:
     names = ("moments", *body_numbers, "momentum_at_epoch", "attitude_at_epoch", "epoch", "axes")
 
     def take_apart(motion: Any) -> tuple[tuple[Array | None, ...], tuple[str, ...]]:
-        # axes that the body is given in are a field of their own where the motion has been turned from them
-        turned = motion.given_axes is not motion.axes
-        taken = (*names, "given_axes") if turned else names
+        # the given axes are a field of their own where the motion is along others
+        along_others = motion.given_axes is not motion.axes
+        taken = (*names, "given_axes") if along_others else names
         fields = tuple(getattr(motion, name) for name in taken)
         if not is_jax(*fields):  # those of JAX have been broadcast, unless somebody has edited them
             fields = broadcast_fields(fields, tuple(CORES.get(name, 0) for name in taken))

@@ -133,7 +133,7 @@ def _nan_where_bad(moments: Array, momentum: Array, attitude: Array) -> tuple[Ar
     xp = namespace(moments, momentum, attitude)
     good_moments, good_length = _good(xp, moments, attitude)
     where = lambda good, value: xp.where(good, value, math.nan)  # noqa: E731
-    # traced numbers cannot be refused: NaN says that they were bad
+    # traced numbers cannot be refused: they become NaN
     return where(good_moments, moments), where(good_moments, momentum), where(good_length, attitude)
 
 

@@ -1,4 +1,4 @@
-"""What an exact motion conserves, and how far its samples depart from that."""
+"""The invariants of an exact motion, and the drift of its samples."""
 
 from __future__ import annotations
 

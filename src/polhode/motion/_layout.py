@@ -33,7 +33,7 @@ class Quantity(NamedTuple):
     Attributes:
         unit: as CF metadata writes units; "" where it depends on the system.
         meaning: in a few words.
-        of_copies: whether the last axis of the values counts copies, instead of components of a vector.
+        of_copies: whether the last axis of the values counts the copies of a batch, not components of a vector.
     """
 
     unit: str = ""

@@ -1,4 +1,4 @@
-"""How a sampled trajectory remembers the exact motion that it was sampled from."""
+"""The interface of the exact motion that a trajectory was sampled from."""
 
 from __future__ import annotations
 
@@ -21,4 +21,4 @@ class ExactMotion(Plotted, abc.ABC):
 
     @abc.abstractmethod
     def _standing(self, axes: Float64[Array, "3 3"] | None) -> ExactMotion:
-        """Return the same motion along other axes, in which the columns of ``axes`` are the principal ones."""
+        """Return the motion along other axes, in which the columns of ``axes`` are the principal ones."""

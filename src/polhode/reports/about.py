@@ -26,7 +26,7 @@ def about_body(body: Body, of_moments: str = "") -> Group:
 
     Args:
         body: the body described.
-        of_moments: what else to explain about the principal moments and axes.
+        of_moments: a further explanation of the principal moments and axes.
     """
     size = math.sqrt(max(body.principal_moments)) / math.sqrt(body.mass) if body.mass else 0.0
     center, moments = body.center_of_mass, body.principal_moments
@@ -55,7 +55,7 @@ def about_place(body: Body, label: str, point: Float64[Array, "3"], direction: F
 
     Args:
         body: with its mass.
-        label: of the place, in words.
+        label: of the place, for people.
         point: (3,) [m, given axes].
         direction: (3,) unit vector of the axis; None for the moments about all three given axes.
     """
@@ -65,19 +65,19 @@ def about_place(body: Body, label: str, point: Float64[Array, "3"], direction: F
     if direction is None:
         moments = np.diag(inertia)
         words = vector(moments, "kg m²", size)
-        found = [Answer("about.moments", moments, "kg m²", "moments about x, y, z there", "", words)]
+        moments_there = [Answer("about.moments", moments, "kg m²", "moments about x, y, z there", "", words)]
     else:
         moment = float(direction @ inertia @ direction)
-        # √(J/m): where the same mass in one place would have the same moment
+        # √(J/m): the distance at which a point of this mass has this moment
         radius = math.sqrt(max(moment, 0.0)) / math.sqrt(body.mass or math.inf)
-        found = [
+        moments_there = [
             Answer("about.direction", direction, "", "along", "given axes", vector(direction)),
             Answer("about.moment", moment, "kg m²", "moment about that axis"),
             Answer("about.radius_of_gyration", radius, "m", "radius of gyration"),
         ]
     return Group(f"About {label}", [
         Answer("about.point", point, "m", "through", "given axes", vector(point, "m")),
-        *found,
+        *moments_there,
         Answer("about.inertia", inertia, "kg m²", "", "about that point, given axes"),
         *(Answer("", None, "", words, "", row) for words, row in rows.items()),
     ])  # fmt: skip
@@ -92,7 +92,7 @@ def about_axes(name: str, axes: Float64[Array, "3 3"], explanation: str = "") ->
 
 
 def motion_error(trajectory: Trajectory) -> float | None:
-    """Return the error of what is computed of a motion's states, as an ``Answer`` has it."""
+    """Return the error of quantities computed from a motion's states, as an ``Answer`` has it."""
     if trajectory.motion is not None:  # in closed form
         return 0.0
     return None if trajectory.error_estimate is None else float(trajectory.error_estimate)

@@ -15,12 +15,12 @@ class Answer(NamedTuple):
     """One value in a report.
 
     Attributes:
-        name: its place in the JSON, a dot between levels: "rotor.moment". Empty for what is only said in the text.
+        name: its place in the JSON, a dot between levels: "rotor.moment". Empty where it is in the text alone.
         value: in SI units: a number, array, string, truth value or a mapping of such; None where it is not defined.
         unit: as people write it: "kg m²/s".
-        label: of its line in the text. Empty for what is only in the JSON.
-        explanation: what else a reader must know of the value: along which axes, when, of what.
-        text: the value in words; None to word it by its unit. An answer without a value has no line.
+        label: of its line in the text. Empty where it is in the JSON alone.
+        explanation: further facts about the value: along which axes, when, of which thing.
+        text: the value for people; None to write it by its unit. An answer without a value has no line.
         error: estimate of the value's error relative to its size, which decides how many digits the words have; None
             where there is none, zero where the value does not come from steps.
     """
@@ -35,7 +35,7 @@ class Answer(NamedTuple):
 
     @property
     def words(self) -> str | None:
-        """The value for people; None where there is nothing to say."""
+        """The value for people; None where there is nothing to print."""
         if isinstance(self.value, float) and math.isnan(self.value):
             return None
         words = write_value(self.value, self.unit) if self.text is None else self.text
@@ -56,7 +56,7 @@ class Group(NamedTuple):
 
 
 class Table(NamedTuple):
-    """Answers of the same kind about several things, one row each.
+    """Answers about several things, one row each.
 
     Attributes:
         name: its place in the JSON.
@@ -65,9 +65,9 @@ class Table(NamedTuple):
         rows: the values of each, by name.
         units: name of a value → its unit.
         key: value by which the JSON has the rows, as an object; empty for a list of rows.
-        shown: whether a row stands in the text, from its values.
-        proofs: columns like ``columns`` that stand in the text only where proofs are asked for.
-        errors: head of a column → error of its numbers, as an ``Answer`` has it; of others they do not come from steps.
+        shown: whether a row is printed in the text, from its values.
+        proofs: columns like ``columns`` that are printed only where proofs are asked for.
+        errors: head of a column → error of its numbers, as an ``Answer`` has it; other columns do not come from steps.
     """
 
     name: str

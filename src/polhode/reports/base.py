@@ -27,7 +27,7 @@ class SystemReport(Report):
 
     Attributes:
         kind: the system, as a spec names it.
-        name: what the spec calls it.
+        name: of the body, in the spec.
         drawings: returns the functions that draw the figures; ``Spec.report`` fills in name and drawings.
     """
 
@@ -79,11 +79,11 @@ class MotionReport(SystemReport):
 
     @property
     def shown_part(self) -> str:
-        """A sentence that says which part of the motion ``shown`` is; empty where it is all of it."""
+        """A sentence on which part of the motion ``shown`` is; empty where it is all of it."""
         return ""
 
     def rounded(self, words: str) -> str:
-        """Return words about the motion without digits finer than its error."""
+        """Return a text about the motion without digits finer than its error."""
         return round_words(words, motion_error(self.trajectory))
 
     @property
@@ -92,7 +92,7 @@ class MotionReport(SystemReport):
         return None
 
     def as_json_dict(self) -> dict[str, Any]:
-        """Return the answers, with how the motion ended and how well it keeps what it should."""
+        """Return the answers, with the outcome of the motion and its drift."""
         trajectory = self.trajectory
         ends = {
             "status": str(trajectory.outcome), "drift": trajectory.drift,

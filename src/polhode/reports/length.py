@@ -13,8 +13,8 @@ from polhode.errors import InvalidInput
 from polhode.integrators import _diffrax as diffrax
 from polhode.types import Array, Float64
 
-RUNS = 5.0  # what a run and those that tell its error take, in times of the run itself: 3.5 to 5.5 were measured
-RUNS_BY_EQUAL_STEPS = 2.5  # the same where steps are equal: the others take steps twice as long
+RUNS = 5.0  # time of a run and of those that estimate its error, over that of the run alone: 3.5 to 5.5 were measured
+RUNS_BY_EQUAL_STEPS = 2.5  # likewise for equal steps: the runs for the error take steps twice as long
 FEWER = "Check the units, or give a shorter `until` under [time]."
 
 
@@ -34,7 +34,7 @@ LIMITS = LengthLimits()
 
 
 class Watch:
-    """A meter for ``simulate`` that measures a run's speed, says how long it will take, and ends one that is endless.
+    """A meter for ``simulate`` that measures a run's speed, announces its length, and ends one that is endless.
 
     A run may become slower or faster, so the longer it has been watched, the less it must exceed the limit to be ended.
 
@@ -42,7 +42,7 @@ class Watch:
         until: end of the run as the spec gives it [s], None where it leaves it out.
         times: (T,) [s] of its samples.
         remedy: what helps, other than a shorter time.
-        runs: time of the run and of the further runs that tell its error, over that of the run alone.
+        runs: time of the run and of the further runs that estimate its error, over that of the run alone.
     """
 
     def __init__(
@@ -61,13 +61,13 @@ class Watch:
         return self._bar and self._bar.init()
 
     def step(self, shown: Any, share: Any) -> Any:
-        """Look at a run of which a share is done.
+        """Check a run of which a share is done.
 
         Raises:
             InvalidInput: where it would take far too long.
         """
         now, share = time.process_time(), float(share)
-        # what was traced and compiled before says nothing about what follows
+        # time for tracing and compiling does not predict that of the steps
         slow = self._begun is not None and now - self._latest > LIMITS.compiling_seconds
         compiled = slow and self._compiled < LIMITS.max_compilings
         self._compiled, self._latest = self._compiled + compiled, now
@@ -81,13 +81,13 @@ class Watch:
                     f"{self._named} would take about {duration(seconds)}; at most some ten minutes are taken here. "
                     f"{FEWER}{self._remedy}"
                 )
-            # a run that may yet be refused is not announced: two lines that contradict each other help nobody
+            # a run that may yet be refused is not announced, as the two lines would contradict each other
             if LIMITS.long_seconds < seconds <= LIMITS.max_seconds and not self._said:
                 shown = self._say(seconds)
         return self._bar and self._bar.step(shown, jnp.asarray(share))
 
     def close(self, shown: Any) -> None:
-        """End what is shown, after the run."""
+        """End the progress bar, after the run."""
         if self._bar:
             self._bar.close(shown)
 
@@ -102,7 +102,7 @@ class Watch:
 def check_length(
     until: float | None, times: Float64[Array, "time"], steps: float, each: float, remedy: str = ""
 ) -> bool:
-    """Say on standard error how long a run will take where that is long.
+    """Announce on standard error the length of a long run.
 
     Args:
         until: its end as the spec gives it [s], None where it leaves it out.
@@ -112,7 +112,7 @@ def check_length(
         remedy: what helps, other than a shorter time.
 
     Returns:
-        Whether to show progress: the run is long, and somebody watches.
+        Whether to show progress: the run is long, and standard error is a terminal.
 
     Raises:
         InvalidInput: for a run that would take far too long.

@@ -34,7 +34,7 @@ class Report(abc.ABC):
         trajectory: the motion, where there is one.
         determined: whether the data sufficed to answer the question.
         data_file: name of the file that ``write`` saves the data under; empty where there are none.
-        data_endings: that a file of the data may have; empty where the ending chooses the format, or is not minded.
+        data_endings: that a file of the data may have; empty where the ending chooses the format, or does not matter.
         inputs: the files that it was made from; they are never overwritten.
 
     >>> import polhode as ph
@@ -69,7 +69,7 @@ class Report(abc.ABC):
     @property
     @abc.abstractmethod
     def answers(self) -> Sequence[Group | Table]:
-        """All that the report says, by groups and tables, in the order of its text."""
+        """All answers, by groups and tables, in the order of the text."""
 
     def iterate_answers(self) -> Iterator[Group | Table]:
         """Yield the answers one after the other, the quickest first, each computed as it is asked for."""
@@ -126,11 +126,11 @@ class Report(abc.ABC):
         return plain({**head, **collect_values(answers), "units": self.units(), "notes": list(self.notes)})
 
     def json(self) -> str:
-        """Return the same as a text in ASCII."""
+        """Return the JSON as a text in ASCII."""
         return json.dumps(self.as_json_dict(), indent=2, ensure_ascii=True, allow_nan=False)
 
     def figure(self, name: str) -> Figure | None:
-        """Return one figure by its name; None where there is nothing to see.
+        """Return one figure by its name; None where there is nothing to draw.
 
         Raises:
             InvalidInput: for a name that this report has no figure of.
@@ -159,7 +159,7 @@ class Report(abc.ABC):
         Raises:
             InvalidInput: for a report without a motion, or one whose motion has nothing to draw.
         """
-        import polhode  # which hands in what makes pages, as pages know reports and not reports pages
+        import polhode  # which hands in the functions that make pages, as reports must not import pages
 
         return polhode.show(self, name=name, surface=surface, height=height)
 
@@ -167,7 +167,7 @@ class Report(abc.ABC):
         """Write every figure into an existing folder, and return the paths.
 
         Args:
-            folder: where to.
+            folder: of the figures.
             forms: png, svg, pdf, each figure in all of them; png if none is named.
         """
         drawn = ((name, draw()) for name, draw in self.figures().items())  # one at a time, for the memory
@@ -178,7 +178,7 @@ class Report(abc.ABC):
         """Write the figures and the data into a folder, all or none of them, and return their paths.
 
         Args:
-            folder: where to; it is made where it is missing.
+            folder: of the files; it is made where it is missing.
             forms: of the figures, as ``draw`` has them.
 
         Raises:

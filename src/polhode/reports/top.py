@@ -103,7 +103,7 @@ class TopReport(MotionReport):
 
     @property
     def tilt(self) -> Float64[Array, "time"]:
-        """(T,) of that from the vertical [rad]."""
+        """(T,) angle of the axis from the vertical [rad]."""
         return axis_tilt(self.top, self.trajectory.attitude)
 
     @property
@@ -202,7 +202,7 @@ def about_rests(judgements: dict[str, Stability]) -> Table:
 
 
 def build_top(body: Body, pivot: Real[ArrayLike, "3"], gravity: float) -> HeavyTop:
-    """Return the top that a spec asks for; that its body may be free is said in the report.
+    """Return the top of a spec; its body may be free, which the report says.
 
     Raises:
         InvalidInput: for a body without mass.

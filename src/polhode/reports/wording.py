@@ -1,4 +1,4 @@
-"""Numbers in words for people."""
+"""Numbers as text for people."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def uncertain(value: float, error: float | None, unit: str = "", digits: int = 1
     >>> uncertain(81.39190987, 9.1, "s", 2), uncertain(0.35792, 0.0134, digits=2)
     ('81.4 ± 9.1 s', '0.358 ± 0.013')
 
-    NaN is an error of which nothing is known, and few digits are then given:
+    NaN means an unknown error, and few digits are then given:
 
     >>> uncertain(0.35792, float("nan"))
     'about 0.36'
@@ -98,7 +98,7 @@ _NUMBERS = re.compile(rf"\({_NUMBER}(?:, {_NUMBER})+\)|(?<![\w.,]){_NUMBER}(?![\
 
 
 def round_words(words: str, error: float | None) -> str:
-    """Return words with no digits in their numbers that are finer than an error relative to each number's size.
+    """Return a text without digits in its numbers that are finer than an error relative to each number's size.
 
     The components of a vector have the size of the largest. Numbers with "±" before or after them say their own error.
 
@@ -135,7 +135,7 @@ def round_words(words: str, error: float | None) -> str:
 
 def _cut(text: str, last: int) -> str:
     """Return a number without digits finer than those of 10^last."""
-    whole = 4  # digits up to which whole numbers in words are counts, and stay as they are
+    whole = 4  # digits up to which whole numbers in a text are counts, and stay unchanged
     mantissa, _, power = text.partition("e")
     finest = int(power or 0) - len(mantissa.partition(".")[2])
     if finest >= last or (finest == 0 and len(mantissa.lstrip("+-")) <= whole):
@@ -161,7 +161,7 @@ def angle(value: float | None, error: float | None = None) -> str | None:
 
 
 def angles(values: Any) -> str:
-    """Return the range of an angle [rad] from its smallest and largest value, one number where both read the same.
+    """Return the range of an angle [rad] from its smallest and largest value, one number where both have one text.
 
     >>> angles((0.5, 0.75)), angles((0.5, 0.5))
     ('28.6479° to 42.9718°', '28.6479°')
@@ -172,9 +172,9 @@ def angles(values: Any) -> str:
 
 def degrees(value: float, digits: int = 6) -> str:
     """Return an angle [rad] in degrees, a small one in arcseconds."""
-    turned = math.degrees(value)
+    angle = math.degrees(value)
     small = 0.0 < abs(value) < ARCSECONDS
-    return f"{3600.0 * turned:.{digits}g}″" if small else f"{turned:.{digits}g}°"
+    return f"{3600.0 * angle:.{digits}g}″" if small else f"{angle:.{digits}g}°"
 
 
 def rate(value: float | None) -> str | None:
@@ -260,7 +260,7 @@ def unit_in_words(unit: str) -> str:
 
 
 def vector(values: Any, unit: str = "", size: float = 0.0, digits: int = 6) -> str:
-    """Return components with so many digits, those zero that are small compared with a size or the largest."""
+    """Return components with ``digits`` digits, zero where small compared with a size or the largest."""
     largest = max(size, *(abs(x) for x in values))
     cleaned = [0.0 if abs(x) < 1e-15 * largest else x for x in values]
     return "(" + ", ".join(f"{x:.{digits}g}" for x in cleaned) + f") {unit}".rstrip()

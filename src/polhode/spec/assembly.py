@@ -43,7 +43,7 @@ def turn_of(part: PartTable) -> Float64[Array, "3 3"]:
 
 
 def name_of(part: PartTable, k: int) -> str:
-    """Return what a report calls a part: its name, or its number."""
+    """Return the name of a part in reports: its own, or its number."""
     return f"part {k + 1}" if part.name is None else part.name
 
 
@@ -54,7 +54,7 @@ def build_assembly(
 
     Args:
         parts: their tables.
-        density: of those that give neither mass nor density [kg/m³]; None for none.
+        density: of parts that give neither mass nor density [kg/m³], or None.
         folder: from which paths count.
         read_body: reads the body of another spec.
 
@@ -82,9 +82,9 @@ def build_assembly(
 
 
 def _common_density(parts: Sequence[PartTable], built: dict[int, BuiltPart]) -> float | None:
-    """Return the density of all that cuts can be cut from, None where it is not one.
+    """Return the common density of all parts that cuts can be cut from, None where there is none.
 
-    Of other specs and of known inertias nobody knows the shape, so that nothing is cut from them.
+    The shape of other specs and of known inertias is unknown, so that nothing is cut from them.
     """
     solid = [
         built[k].density
@@ -129,7 +129,7 @@ def build_part(part: PartTable, density: float | None, folder: Path, read_body: 
 
 
 def _shape(part: PartTable, density: float | None) -> tuple[Body, float | None, tuple[str, ...]]:
-    assert part.shape is not None, "the rules have seen to it"
+    assert part.shape is not None, "checked by the rules"
     keys = [*SHAPE_KEYS[part.shape], *(key for key in MAY_HAVE.get(part.shape, ()) if key != "shell")]
     measures = {key: value for key in keys if (value := getattr(part, key)) not in (None, False)}
     solid = getattr(solids, f"{part.shape}_shell" if part.is_shell else part.shape)(**measures)

@@ -19,7 +19,7 @@ _reserved: set[str] = set()  # keys of [body] itself
 
 
 def reserve_keys(keys: Iterable[str]) -> None:
-    """Say which keys [body] has itself, which no format of another package may take."""
+    """Register the keys of [body] itself, which no format of another package may take."""
     _reserved.update(keys)
 
 
@@ -32,7 +32,7 @@ def read_body_file(key: str, path: Path, link: str | None, joints: Pose | None, 
     """Return the body in a file.
 
     Args:
-        key: of [body], of those that ``body_file_keys`` lists.
+        key: of [body], one that ``body_file_keys`` lists.
         path: the file.
         link: the name of one link, or None.
         joints: their positions, to take all links together; None for one link.

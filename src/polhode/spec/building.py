@@ -39,7 +39,7 @@ def build_body(table: BodyTable, folder: Path, file: Path | None = None) -> Buil
 
 
 def build_part_of(table: BodyTable, number: int, folder: Path) -> Body | MassProperties:
-    """Return the mass properties of one part alone, in its place; of a cut, those of what is cut away.
+    """Return the mass properties of one part alone, in its place; of a cut, those of the removed material.
 
     Raises:
         InvalidInput, FormatError: as ``build_body`` does.

@@ -1,4 +1,4 @@
-"""What building the tables of a spec gives: a body, and what a reader should know about how it was made."""
+"""The result of building the tables of a spec: a body, and notes on how it was made."""
 
 from __future__ import annotations
 
@@ -42,10 +42,10 @@ ReadBody = Callable[[Path], BuiltBody]
 
 
 class PartsRefused(InvalidInput):
-    """Several parts are none that a body can have.
+    """Parts that no body can have.
 
     Attributes:
-        faults: number of each such part, and what is wrong with it.
+        faults: number of each such part, and a phrase on its mistake.
     """
 
     def __init__(self, faults: Sequence[tuple[int, InvalidInput]]) -> None:

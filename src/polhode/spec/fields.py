@@ -15,7 +15,7 @@ from polhode.errors import shown
 from polhode.spec.units import find_example, parse_quantity, parse_spectroscopic
 
 LARGEST = sys.float_info.max
-UNIT = "unit"  # attribute of what reads quantities
+UNIT = "unit"  # attribute of validators that read quantities
 
 
 def mark_unit(unit: str) -> Callable[[Callable[[Any], Any]], Callable[[Any], Any]]:
@@ -29,7 +29,7 @@ def mark_unit(unit: str) -> Callable[[Callable[[Any], Any]], Callable[[Any], Any
 
 
 def quantity(unit: str, *, positive: bool = False) -> BeforeValidator:
-    """Return what makes a field of numbers take quantities in any unit: a text like "3 N/m" becomes one of the SI unit.
+    """Return the validator by which a field takes quantities in any unit: a text like "3 N/m" becomes a number in SI.
 
     Args:
         unit: in SI, as Pint reads it.
@@ -207,8 +207,8 @@ def within(least: float, most: float, what: str) -> Callable[[float], float]:
 
 def _in_degrees(value: float) -> str:
     """Return an angle [rad] in degrees; in radians where that many degrees overflow."""
-    turned = math.degrees(value)
-    return f"{turned:g} deg" if math.isfinite(turned) else f"{value:g} rad"
+    angle = math.degrees(value)
+    return f"{angle:g} deg" if math.isfinite(angle) else f"{value:g} rad"
 
 
 def _racket_tilt(value: float) -> float:
@@ -244,7 +244,7 @@ def _precession(value: Any) -> float | str:
     if isinstance(value, str) and value in ("slow", "fast"):
         return value
     if value == "steady":
-        raise ValueError('must say which of the two steady precessions: "slow", the one mostly seen, or "fast"')
+        raise ValueError('must say which of the two steady precessions: "slow", the usual one, or "fast"')
     try:
         return parse_quantity(value, "rad/s")
     except ValueError as error:

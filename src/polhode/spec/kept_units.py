@@ -27,7 +27,7 @@ LIMITS = UnitCacheLimits()
 
 
 def load_registry(folder: Path) -> Any:
-    """Return pint's registry, from what is kept in a folder or from its definitions, which are then kept there."""
+    """Return pint's registry, from a kept file in a folder or from its definitions, which are then kept there."""
     import pint
 
     place = folder / f"pint-{pint.__version__}.units"
@@ -38,7 +38,7 @@ def load_registry(folder: Path) -> Any:
             (within / file).write_bytes(base64.b64decode(content))
         before = set(within.iterdir())
         registry = pint.UnitRegistry(cache_folder=within)
-        registry.parse_units("m")  # it reads its definitions when it is first asked
+        registry.parse_units("m")  # it reads its definitions on first use
         if set(within.iterdir()) - before:
             packed = {path.name: base64.b64encode(path.read_bytes()).decode() for path in within.iterdir()}
             with contextlib.suppress(OSError):

@@ -48,7 +48,7 @@ def number_at(key: str, system: type[BaseModel], beside: Sequence[str] = ()) -> 
         beside: fields of it that a spec gives as tables at the top.
 
     Raises:
-        ValueError: in words, where there is no such key, or no number at it.
+        ValueError: with a message, where there is no such key, or no number at it.
     """
     first, *rest = _names(key)
     if first not in (*TOP, *beside) or not rest:
@@ -120,7 +120,7 @@ def with_value(tables: dict[str, Any], key: str, value: Any) -> dict[str, Any]:
     """Return a file's tables with another value at a key; tables on the way are made where they are missing.
 
     Raises:
-        ValueError: in words, where a list on the way is missing or too short.
+        ValueError: with a message, where a list on the way is missing or too short.
     """
     changed = copy.copy(tables)
     at: Any = changed

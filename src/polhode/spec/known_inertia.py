@@ -60,10 +60,10 @@ def _check_about(
     table: BodyTable | PartTable, given: Float64[Array, "3 3"], inertia: Float64[Array, "3 3"],
     center: Float64[Array, "3"],
 ) -> None:  # fmt: skip
-    """Refuse an inertia about a point that is less than that of the mass alone, seen from there."""
+    """Refuse an inertia about a point that is less than that of the mass concentrated at its centre."""
     assert table.about is not None and table.mass is not None
     least, size = (np.linalg.eigvalsh(0.5 * one + 0.5 * one.T) for one in (inertia, given))
-    # a little less may be the rounding of what was typed, of which the body speaks
+    # a little less may be rounding of the typed numbers, which the body's own error covers
     if size[0] > 0.0 and least[0] < -1e-3 * size[2]:
         distance = float(np.linalg.norm(center - np.asarray(table.about)))
         raise InvalidInput(
@@ -81,7 +81,7 @@ def _said(inertia: Float64[Array, "3 3"], near: Any, digits: int) -> tuple[str, 
     miss = below if I1 < 0.0 else f"miss I₁ + I₂ ≥ I₃ by {(I3 - I1 - I2) / I3:.2g} of I₃"
     taken = ", ".join(f"{x:.9g}" for x in np.linalg.eigvalsh(near))
     text = (
-        f"the moments of inertia as given {miss}, which rounding to {digits} digits explains; in their place stands "
+        f"the moments of inertia as given {miss}, which rounding to {digits} digits explains; in their place is "
         f"the nearest tensor that a body can have, {change:.2g} kg m² away, with the moments ({taken}) kg m²."
     )
     return (text,)

@@ -1,4 +1,4 @@
-"""What a spec's body is drawn as on a page: painted so that people know it, with the size and place of the body.
+"""Looks of a spec's body on a page: painted so that people recognise it, with the size and place of the body.
 
 A look changes pictures only. Moments, and with them the motion, are those of the body as it is given.
 """
@@ -21,8 +21,8 @@ from polhode.types import Array, Bool, Float64
 
 OCEAN, LAND = 0x5B8DB8, 0x8FAE7B
 WHITE = 0xE9ECEF
-BORDER = 0.03  # of a book's edges: by how much its cover stands out
-LIFT = 0.004  # of the size: what is painted on a face stands so far out of it
+BORDER = 0.03  # of a book's edges: by which its cover projects
+LIFT = 0.004  # of the size: the distance of paint above a face
 
 
 def paint_body(table: BodyTable, surface: Surface | None) -> Surface | None:
@@ -58,7 +58,7 @@ def _book(table: BodyTable, surface: Surface | None) -> Surface:
 
 
 def _edge_line(edges: Array, thin: int, wide: int, long: int, share: float) -> Float64[Array, "2 3"]:
-    """Return a line along the pages, seen from the side away from the spine."""
+    """Return a line along the pages, on the side away from the spine."""
     ends = np.zeros((2, 3))
     ends[:, thin] = 0.8 * share * edges[thin]
     ends[:, wide] = 0.5 * edges[wide] * (1.0 - 1.3 * BORDER)
@@ -104,9 +104,9 @@ def _earth(table: BodyTable, surface: Surface | None) -> Surface:
     def place(longitude: Array, latitude: Array, lift: float = 0.0) -> Array:
         flat = np.cos(latitude)
         local = np.stack([flat * np.cos(longitude), flat * np.sin(longitude), np.sin(latitude)], axis=-1)
-        found = np.empty_like(local)
-        found[..., order] = (1.0 + lift) * axes * local
-        return found
+        point = np.empty_like(local)
+        point[..., order] = (1.0 + lift) * axes * local
+        return point
 
     heights, turns = np.linspace(-0.5, 0.5, rows + 1) * math.pi, np.linspace(-1.0, 1.0, columns + 1) * math.pi
     down, around = np.meshgrid(heights, turns, indexing="ij")
@@ -260,14 +260,14 @@ def _block(edges: Array, color: int, place: Array | float = 0.0) -> Surface:
 
 
 def _plate(edges: Array, color: int, place: Array, thin: int, size: Array) -> Surface:
-    """Return a plate on a face, as thick as keeps it apart from it."""
+    """Return a plate on a face, thick enough to be drawn apart from it."""
     return _block(_with(edges, thin, 2.0 * LIFT * float(np.max(size))), color, place)
 
 
 def _with(values: Array, k: int, value: float) -> Float64[Array, "3"]:
-    found = np.array(values, dtype=float)
-    found[k] = value
-    return found
+    changed = np.array(values, dtype=float)
+    changed[k] = value
+    return changed
 
 
 def _unit(k: int) -> Float64[Array, "3"]:

@@ -33,12 +33,12 @@ WORDS = {
 def list_mistakes(
     error: ValidationError, root: type[BaseModel] = SpecFile, at: Location = (), beside: Sequence[str] = ()
 ) -> list[Mistake]:
-    """Return pydantic's errors about a model in plain words, with their places in the file.
+    """Return pydantic's errors about a model in plain English, with their places in the file.
 
     Args:
         error: of pydantic.
         root: the model.
-        at: where in the file it stands.
+        at: its place in the file.
         beside: tables that a kind has at the top of the file.
     """
     return [((*at, *mistake["loc"]), _word_mistake(mistake, root, beside, at)) for mistake in error.errors()]
@@ -80,7 +80,7 @@ def _word_mistake(mistake: Any, root: type[BaseModel], beside: Sequence[str], at
         message = mistake["msg"][0].lower() + mistake["msg"][1:]
         words = WORDS[kind].format(**mistake.get("ctx", {})) if kind in WORDS else message
         text = f"{words}; got {shown(value)}"
-    # checks of values show them as Python does
+    # checks of values print them as Python does
     return text.replace(f"; got {value}", f"; got {str(value).lower()}") if isinstance(value, bool) else text
 
 

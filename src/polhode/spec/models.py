@@ -58,7 +58,7 @@ MAY_HAVE: dict[str, tuple[str, ...]] = {
     "box": ("shell", "thickness"),
     "prism": ("sides", "radius", "outline"),
 }
-"""What else may be said of a shape."""
+"""Optional keys of a shape."""
 WITHOUT_VOLUME = ("disk", "rod", "point")
 PART_SOURCES = ("shape", "mesh", "spec", "inertia")
 Shape = Annotated[str, one_of(*SHAPE_KEYS)]
@@ -87,7 +87,7 @@ class Strict(BaseModel):
 class PartTable(Strict):
     """One part of a body: exactly one of the keys ``PART_SOURCES``, in its place.
 
-    ``at`` is where its own origin stands: the centre of mass of a shape, the origin of a file or of an outline.
+    ``at`` is the place of its own origin: the centre of mass of a shape, the origin of a file or of an outline.
     ``attitude`` or ``axis`` turn its own axes.
     """
 
@@ -166,7 +166,7 @@ class BodyTable(Strict):
         keys = body_file_keys()
         if cls is not BodyTable or not isinstance(value, dict) or not set(keys) & value.keys():
             return handler(value)
-        checked = _with_keys(keys).model_validate(value)  # what is wrong with a file's name has its place like the rest
+        checked = _with_keys(keys).model_validate(value)  # so that a mistake in a file's name has its place too
         fields = {name: getattr(checked, name) for name in BodyTable.model_fields}
         table = BodyTable.model_construct(checked.model_fields_set & fields.keys(), **fields)
         named = ((key, getattr(checked, key)) for key in keys)

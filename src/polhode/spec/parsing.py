@@ -67,7 +67,7 @@ def name_parts(tables: dict[str, Any]) -> dict[str, Any]:
 
 
 def _read_float(text: str) -> float:
-    """Return a number of TOML as Python does, but none of which a double keeps nothing."""
+    """Return a number of TOML as Python does; refuse one that vanishes in a double."""
     value = float(text)
     if value == 0.0 and re.search("[1-9]", re.split("[eE]", text)[0]):
         raise FormatError(f"has the number {shown(text)}, which is too small for a double. Write 0 if zero is meant.")
@@ -80,7 +80,7 @@ def _too_deep(path: Path) -> str:
 
 
 def _longest_key(text: str) -> int:
-    """Return an upper bound of the dots in any key; only the parser knows what is a key."""
+    """Return an upper bound of the dots in any key; only the parser can tell keys from text."""
     bare = max(len(_DOT.findall(piece)) for piece in re.split(r"[\n=,{}\[\]]", text))
     quoted = len(_QUOTED_DOT.findall(text))
     return max(bare, quoted // 4)

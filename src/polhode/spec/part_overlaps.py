@@ -1,7 +1,7 @@
 """Notes on parts that overlap: cuts that stick out, and material that is counted twice.
 
-Masses and moments are sums over the parts, and a sum does not see where they meet. Points in a part, by the winding
-number of its surface, tell how much of it lies in another.
+Masses and moments are sums over the parts, which ignore overlaps. Points in a part, by the winding number of its
+surface, show how much of it lies in another.
 
 Source: van Oosterom & Strackee, "The solid angle of a plane triangle", IEEE Trans. Biomed. Eng. 30 (1983) 125.
 """
@@ -24,7 +24,7 @@ from polhode.types import Array, Bool, Float64
 
 
 class OverlapLimits(NamedTuple):
-    """Numbers that decide whether an overlap of parts is reported, and at how many points it is looked for."""
+    """Numbers that decide whether an overlap of parts is reported, and the number of points that decide."""
 
     min_share: float = 0.05  # of a part: a larger overlap is real, given flat facets and few points
     max_work: int = 4_000_000  # points times triangles; fewer points are taken where they would exceed it
@@ -38,7 +38,7 @@ def notes_on_places(parts: Sequence[PartTable], density: float | None, folder: P
 
     Args:
         parts: of a body.
-        density: of those that give neither mass nor density [kg/m³]; None for none.
+        density: of parts that give neither mass nor density [kg/m³], or None.
         folder: from which paths of meshes count.
     """
     return (*_notes_on_twins(parts), *_notes_on_solids(parts, density, folder))
@@ -68,7 +68,7 @@ def _notes_on_solids(parts: Sequence[PartTable], density: float | None, folder: 
     for group, what in ((cuts, "is taken away twice"), (of_material, "counts twice")):
         for k, j in combinations(group, 2):
             if parts[k].model_dump(exclude={"name"}) == parts[j].model_dump(exclude={"name"}):
-                continue  # told as twins
+                continue  # reported as twins
             small, large = sorted((k, j), key=lambda n: _box_volume(drawn[n]))
             shared = _share_inside(drawn[small], [drawn[large]])
             if shared > LIMITS.min_share:
@@ -115,7 +115,7 @@ def _boxes_meet(low: Float64[Array, "3"], high: Float64[Array, "3"], other: Surf
 
 
 def _spread_points(count: int) -> Float64[Array, "n 3"]:
-    """Return Halton's points in the unit cube, the same each time."""
+    """Return Halton's points in the unit cube, which are not random."""
     bases = (2, 3, 5)
     return np.array([[_radical_inverse(k, base) for base in bases] for k in range(1, count + 1)])
 
@@ -133,8 +133,8 @@ def _is_inside(points: Float64[Array, "n 3"], surface: Surface) -> Bool[Array, "
     corners, inside = surface.vertices[surface.faces], np.zeros(len(points), dtype=bool)
     step = max(1, LIMITS.max_work // (10 * len(corners)))
     for begin in range(0, len(points), step):
-        seen = corners[None] - points[begin : begin + step, None, None]
-        a, b, c = (seen[:, :, k] for k in range(3))
+        relative = corners[None] - points[begin : begin + step, None, None]
+        a, b, c = (relative[:, :, k] for k in range(3))
         sizes = [np.linalg.norm(x, axis=-1) for x in (a, b, c)]
         volume = np.sum(a * np.cross(b, c), axis=-1)
         flat = sizes[0] * sizes[1] * sizes[2] + np.sum(a * b, axis=-1) * sizes[2]

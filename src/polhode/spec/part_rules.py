@@ -43,7 +43,7 @@ def find_broken_part_rules(part: dict[str, Any], density_of_all: bool = False) -
         yield from _of_amount(part, density_of_all, "a mesh", _is_shell(part))
     elif source == "spec":
         if taken := [key for key in ("mass", "density") if key in part]:
-            yield f"{list_words(taken)} of another spec's body stands in that spec; leave it out"
+            yield f"{list_words(taken)} of another spec's body is given in that spec; leave it out"
     else:
         if "density" in part:
             yield "density says nothing where inertia is known; give mass"
@@ -84,7 +84,7 @@ def _is_shell(part: dict[str, Any]) -> bool:
 
 
 def _of_amount(part: dict[str, Any], density_of_all: bool, what: str, hollow: bool) -> Iterator[str]:
-    """Yield what is wrong about how much material there is."""
+    """Yield mistakes in the amount of material."""
     given = [key for key in ("mass", "density") if key in part]
     if len(given) == 2:
         yield f"needs one of mass and density for {what}; got both"

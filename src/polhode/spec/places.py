@@ -42,7 +42,7 @@ def find_place(text: str, body: Body, table: BodyTable, folder: Path) -> Place:
     """Return the place that words name.
 
     A given axis or a direction goes through the origin of the given axes, a principal axis through the centre of mass,
-    unless it says through which point. A part stands for its own centre of mass and its own axis z.
+    unless it says through which point. A part means its own centre of mass and its own axis z.
 
     Args:
         text: the words.

@@ -1,6 +1,6 @@
 """Rules that the fields of a spec must satisfy together.
 
-Rules look at the raw tables, at which keys are there. So they speak up even when values are wrong, and everything is
+Rules check which keys the raw tables have. So they report even when values are wrong, and everything is
 said at once.
 """
 
@@ -46,7 +46,7 @@ def find_broken_rules(table: dict[str, Any], of_system: Iterable[Mistake] = ()) 
 
 
 def find_broken_body_rules(body: dict[str, Any]) -> Iterator[Mistake]:
-    """Yield what is wrong with a table [body] alone."""
+    """Yield mistakes in a table [body] alone."""
     yield from ((("body",), text) for text in _body_rules(body))
     yield from _rules_of_parts(body)
 
@@ -138,7 +138,7 @@ def _body_rules(body: dict[str, Any]) -> Iterator[str]:
 
 
 def _inertia_rules(body: dict[str, Any]) -> Iterator[str]:
-    """Yield what is wrong with the keys that go with known moments or a tensor."""
+    """Yield mistakes in the keys that go with known moments or a tensor."""
     of_inertia = {"center_of_mass": ("inertia", "moments"), "about": ("inertia",),
                   "rounding": ("inertia", "moments", *body_file_keys())}  # fmt: skip
     for key, wanted in of_inertia.items():

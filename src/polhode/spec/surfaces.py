@@ -22,8 +22,8 @@ from polhode.spec.building import build_body, read_body_table
 from polhode.spec.models import BodyTable, PartTable
 from polhode.types import Array, Float64
 
-THIN = 0.02  # of the radius or length: what a body without thickness is given, to be seen
-BAR = 0.12 * ANGSTROM  # radius of what is drawn for a bond
+THIN = 0.02  # of the radius or length: thickness given to a body without one, to be visible
+BAR = 0.12 * ANGSTROM  # radius of a bond
 
 
 class DrawingLimits(NamedTuple):
@@ -62,7 +62,7 @@ def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
 
 
 def _count_pieces(table: BodyTable, folder: Path, known: dict[Path, int]) -> int:
-    """Return how many pieces are drawn of a body, with those of the specs in it, each of which is looked at once."""
+    """Return the number of pieces drawn of a body, with those of the specs in it, each of which is read once."""
     count = 0
     for part in table.part or [None]:
         if part is None or part.spec is None:
@@ -76,7 +76,7 @@ def _count_pieces(table: BodyTable, folder: Path, known: dict[Path, int]) -> int
 
 
 def surface_of_disk(radius: float, thickness: float, sections: int = SECTIONS) -> Surface:
-    """Return a disk, its axis along z; one without thickness is given some, to be seen."""
+    """Return a disk, its axis along z; one without thickness is given some, to be visible."""
     return tube(radius, thickness or THIN * radius, sections=sections)
 
 
@@ -106,7 +106,7 @@ def surface_of_parts(parts: Sequence[PartTable], folder: Path) -> Surface | None
 
 
 def surface_of_part(part: PartTable, folder: Path = Path()) -> Surface | None:
-    """Return one part in its place; where only its inertia is known, the box of the same."""
+    """Return one part in its place; where only its inertia is known, the box of that inertia."""
     if part.spec is not None:
         path = folder / part.spec
         table = read_body_table(path)
@@ -128,7 +128,7 @@ def surface_of_part(part: PartTable, folder: Path = Path()) -> Surface | None:
 
 def _make_shape(part: PartTable) -> Surface:
     """Return a shape about its centre of mass, its axis along z."""
-    # the rules have seen to it that each shape has its own measures; 0.0 stands for those of the others
+    # each shape has its own measures by the rules; 0.0 replaces those of the others
     radius, height, length = part.radius or 0.0, part.height or 0.0, part.length or 0.0
     inner = min(part.inner_radius or 0.0, (1.0 - THIN) * radius)
     match part.shape:

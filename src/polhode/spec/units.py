@@ -132,7 +132,7 @@ def parse_spectroscopic(value: Any) -> float:
     """Return the frequency [Hz] of a quantity given as a frequency or as a wave number.
 
     Raises:
-        ValueError: with what is wrong and what would be right.
+        ValueError: naming the mistake and the remedy.
     """
     try:
         return parse_quantity(value, "1/m") * SPEED_OF_LIGHT
@@ -193,7 +193,7 @@ def _parse(value: str, unit: str) -> float:
 
 
 def _check_declared(registry: Any, unit: str) -> None:
-    """Refuse a unit, of what another package adds, that cannot be read itself."""
+    """Refuse a unit from another package that cannot be read."""
     try:
         registry.parse_units(unit)
     except Exception:

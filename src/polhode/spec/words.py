@@ -1,4 +1,4 @@
-"""Lists of keys in words, for messages."""
+"""Lists of keys as text, for messages."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 
 def list_words(keys: Sequence[str], last: str = "and") -> str:
-    """Return keys in words.
+    """Return keys as a phrase.
 
     >>> list_words(["a", "b", "c"]), list_words(["a", "b"], "or"), list_words([])
     ('a, b and c', 'a or b', 'none')

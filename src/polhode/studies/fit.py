@@ -35,7 +35,7 @@ def fit(
         files: gyro logs; or one log of attitudes; or a spec or atoms, and lines.
         free: of a molecule, the constants that are fitted, like ("A", "B", "D_J"); those that lines depend on if left
             out.
-        windows: of logs, (start, end) of free flights [s] in place of those that are found.
+        windows: of logs, (start, end) of free flights [s] in place of the detected ones.
         drag, rotor: of gyro logs, whether there is drag, and a wheel in the body; None to decide by a criterion.
         torque: of attitudes, whether there is a constant torque in the body; None to decide by a criterion.
         gain: of gyro logs, whether gains of the axes are fitted; they are unless this is False.

@@ -1,4 +1,4 @@
-"""What ``polhode.fit`` is asked, and the branches that answer: one for each sort of files, of wings and other packages.
+"""Requests to ``polhode.fit``, and the branches that answer them, one for each sort of files.
 
 A wing offers a branch under [fits] of its ``plugin.toml``, another package in the entry-point group ``polhode.fits``.
 """
@@ -53,13 +53,13 @@ class FitOptions(NamedTuple):
 
 
 class FitRequest(NamedTuple):
-    """All that ``fit`` is asked.
+    """A request to ``fit``.
 
     Attributes:
         files: one or more.
-        free: names of what is fitted; None where they are not given.
+        free: names of the fitted quantities; None where they are not given.
         options: the other ones.
-        progress: called with how far the reading of a file is; may be None.
+        progress: called with the number of lines read of a file; may be None.
         pendulum: whether the file has periods of a pendulum.
     """
 
@@ -76,7 +76,7 @@ class FitBranch:
 
     Attributes:
         knows: whether files are of this sort; it is quick, and says yes only where they can be nothing else. None for
-            the one branch that takes what no other knows.
+            the one branch that takes all other files.
         fit: returns the report, and refuses options that are not for these files.
     """
 

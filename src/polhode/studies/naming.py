@@ -1,4 +1,4 @@
-"""How messages name what was given: arguments, and files."""
+"""The names of arguments and files in messages."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def name_arguments(names: Sequence[str]) -> str:
 
 @contextlib.contextmanager
 def name_file_in_errors(path: Path | str) -> Iterator[None]:
-    """Name the file in what is refused."""
+    """Name the file in refusals."""
     try:
         yield
     except (InvalidInput, NotConverged) as error:
@@ -30,7 +30,7 @@ def name_file_in_errors(path: Path | str) -> Iterator[None]:
 
 @contextlib.contextmanager
 def warnings_as_notes(path: Path | str) -> Iterator[list[str]]:
-    """Name the file in what is refused, and yield a list that takes the warnings as notes."""
+    """Name the file in refusals, and yield a list that takes the warnings as notes."""
     notes: list[str] = []
     with warnings.catch_warnings(record=True) as caught, name_file_in_errors(path):
         warnings.simplefilter("always", UserWarning)

@@ -1,4 +1,4 @@
-"""The spec of a free body from a file that tells attitude, angular velocity and inertia at one time."""
+"""The spec of a free body from a file with attitude, angular velocity and inertia at one time."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def write_spec(trajectory: Trajectory, labels: AttitudeLabels | None, path: Path
 
 
 def _rounded(inertia: Float64[Array, "3 3"]) -> list[list[float]]:
-    """Return the entries of a matrix without what rounding of its principal axes left in them."""
+    """Return the entries of a matrix without the rounding of its principal axes."""
     digits = 15  # of the largest moment
     unit = float(np.abs(inertia).max())
     return (np.round((inertia + inertia.T) / (2.0 * unit), digits) * unit + 0.0).tolist()

@@ -1,4 +1,4 @@
-"""Whatever holds an attitude history: a spec, a polhode dataset or table, an AEM or a C-kernel, told by content."""
+"""Every file with an attitude history: a spec, a polhode dataset or table, an AEM or a C-kernel, by its content."""
 
 from __future__ import annotations
 
@@ -53,8 +53,8 @@ class Source:
     Attributes:
         kind: name of its form, "spec" or "table".
         trajectory: along the body's given axes.
-        history: the same, for comparisons.
-        labels: names, frames and epoch; None where it tells no epoch.
+        history: the trajectory for comparisons.
+        labels: names, frames and epoch; None where it has no epoch.
         system: of a spec, as it names it.
         begin: the stamp of its clock that its times count from [s], exactly; 0 where they count from the clock's zero.
     """
@@ -71,7 +71,7 @@ def find_begin(path: Path, trajectory: Trajectory) -> Decimal:
     """Return the stamp of its file's clock that a trajectory's times count from [s], exactly; 0 for the clock's zero.
 
     Raises:
-        FormatError: where a dataset says it in words instead of a number.
+        FormatError: where a dataset has a text instead of a number.
     """
     stamp = trajectory.source.attributes.get(COUNTED_FROM) if isinstance(trajectory.source, Recording) else None
     try:
@@ -96,13 +96,13 @@ def detect_kind(path: Path, table: TableMapping | None = None) -> str:
 
     Args:
         path: of the file.
-        table: what is said of its columns, which makes any text but a spec a table of another tool.
+        table: the meaning of its columns, with which any text but a spec is a table of another tool.
 
     Raises:
         InvalidInput: for what is missing.
-        FormatError: for what is none of them.
+        FormatError: for any other file.
     """
-    head_size = 65536  # bytes in which a file shows what it is
+    head_size = 65536  # bytes by which a file is recognised
     if is_folder(path):
         return "netcdf"  # a store, which is read as such a dataset
     with open_file(path, "spec or motion") as file:
@@ -127,7 +127,7 @@ def detect_kind(path: Path, table: TableMapping | None = None) -> str:
 
 
 def is_table(kind: str) -> bool:
-    """Whether a kind of file is a table of another tool, whose reading is told."""
+    """Whether a kind of file is a table of another tool, whose columns need a meaning."""
     return kind == TABLE or ((form := find_form(kind)) is not None and form.is_table)
 
 
@@ -167,7 +167,8 @@ def read_recorded(
     """Return kind, trajectory and labels of a file that holds samples.
 
     Raises:
-        InvalidInput: for a spec, which holds none, for a table that nothing is said of, or as the readers do.
+        InvalidInput: for a spec, which holds none, for a table without the meaning of its columns, or as the readers
+            do.
     """
     kind = detect_kind(path, table) if kind is None else kind
     if kind == TABLE:
@@ -217,7 +218,7 @@ def _read_form(form: Form, path: Path, kernels: Kernels) -> Trajectory:
 
 
 def load_source(path: Path, kernels: Kernels, table: TableMapping | None = None, kind: str | None = None) -> Source:
-    """Return the attitude history of any file, of which ``detect_kind`` may have found the kind already.
+    """Return the attitude history of any file, whose kind ``detect_kind`` may have given already.
 
     Raises:
         InvalidInput: for what is missing, has no attitude, or holds several bodies.
@@ -239,7 +240,7 @@ def load_source(path: Path, kernels: Kernels, table: TableMapping | None = None,
 
 
 def _resolution(kind: str, recorded: Trajectory) -> float:
-    """Return by how much a file's times may be off, as they are written with so many digits [s]."""
+    """Return the uncertainty of a file's times by their digits [s]."""
     said = recorded.source.attributes.get("time_resolution") if isinstance(recorded.source, Recording) else None
     if isinstance(said, float | int) and said > 0.0:
         return float(said)

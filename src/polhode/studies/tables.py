@@ -33,10 +33,10 @@ class TableMapping(NamedTuple):
 
 
 def take_columns(columns: Mapping[str, Any] | None, only: bool) -> TableMapping | None:
-    """Return what the argument `columns` of a function says of a table; None where it is left out.
+    """Return the mapping in the argument `columns` of a function; None where it is left out.
 
     Raises:
-        InvalidInput: for what is not words by name, and for words that are not those of a mapping.
+        InvalidInput: for anything but words by name, and for words that are not those of a mapping.
     """
     if columns is None:
         return None

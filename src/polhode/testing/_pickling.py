@@ -1,4 +1,4 @@
-"""Which part of an object cannot be pickled, in words."""
+"""Which part of an object cannot be pickled, as a sentence."""
 
 from __future__ import annotations
 
@@ -10,24 +10,24 @@ from polhode.errors import shown
 
 PROTOCOL = 4
 REMEDY = (
-    "What is pickled is found again by its name in a module: define functions and classes at the top of one, and leave "
+    "Functions and classes are loaded again by their names in a module: define them at the top of one, and leave "
     "out what is open or can be made again by __getstate__"
 )
 
 
 def find_what_is_not_pickled(name: str, value: Any) -> str | None:
-    """Return what part of an object cannot be pickled, why, and what to do; None where all can.
+    """Return a sentence on the part of an object that cannot be pickled, with the remedy; None where all can.
 
     >>> find_what_is_not_pickled("report", {"title": "T-handle", "moments": [1.0, 2.0]})
-    >>> find_what_is_not_pickled("report", {"title": "T-handle", "turned": [lambda t: t]}).split(",")[0]
-    "`report['turned'][0]`"
+    >>> find_what_is_not_pickled("report", {"title": "T-handle", "draw": [lambda t: t]}).split(",")[0]
+    "`report['draw'][0]`"
     """
     error = _error_of(value)
     if error is None:
         return None
-    seen: set[int] = set()
-    while id(value) not in seen:
-        seen.add(id(value))
+    visited: set[int] = set()
+    while id(value) not in visited:
+        visited.add(id(value))
         for part, inner in _parts(value):
             if (inner_error := _error_of(inner)) is not None:
                 name, value, error = f"{name}{part}", inner, inner_error
@@ -44,7 +44,7 @@ def _error_of(value: Any) -> Exception | None:
 
 
 def _parts(value: Any) -> Iterator[tuple[str, Any]]:
-    """Yield what is pickled of an object, each with what leads there: an attribute, an index or a key."""
+    """Yield the parts of an object that are pickled, each with its path: an attribute, an index or a key."""
     if isinstance(value, dict):
         yield from ((f"[{shown(key)}]", inner) for key, inner in value.items())
         return

@@ -88,11 +88,11 @@ def _group(algebra: AbstractLieAlgebra, x: Array, y: Array, mu: Array) -> Laws:
         "Ad*_{exp tx} begins as ad*_x": (rate, algebra.coadjoint(x, mu)),
     }
     try:
-        turned = mu + algebra.cayley_change(x, mu)
+        changed = mu + algebra.cayley_change(x, mu)
     except InvalidInput:
         return laws
-    laws["cayley_change is Ad*_{cay x} μ − μ"] = turned, algebra.coadjoint_action(algebra.cayley(x), mu)
-    laws["Cayley's map keeps the Casimirs"] = algebra.casimirs(turned), algebra.casimirs(mu)
+    laws["cayley_change is Ad*_{cay x} μ − μ"] = changed, algebra.coadjoint_action(algebra.cayley(x), mu)
+    laws["Cayley's map keeps the Casimirs"] = algebra.casimirs(changed), algebra.casimirs(mu)
     return laws
 
 

@@ -48,11 +48,11 @@ def check_kind(kind: AbstractKind[Any]) -> None:
     """Check a kind by its example: spec, report, JSON, figures, motion, dataset and page.
 
     Args:
-        kind: any; it must be found by its name, as the folder of a kind or an entry point is.
+        kind: any; the registry must find it by its name, as the folder of a kind or an entry point is.
 
     Raises:
         LawBroken: naming the first law that fails.
-        InvalidInput: for what is not a kind, and where the example is refused.
+        InvalidInput: for anything but a kind, and where the example is refused.
         NotConverged: where the example's motion cannot be followed.
 
     >>> from polhode.kinds.registry import default_kind
@@ -88,7 +88,7 @@ def _check_parts(kind: AbstractKind) -> None:
     try:
         example = kind.example
     except (OSError, TypeError, AttributeError) as error:
-        why = f"a kind stands in a folder with __init__.py and example.toml; {home} has none: {error}."
+        why = f"a kind is a folder with __init__.py and example.toml; {home} has none: {error}."
         raise LawBroken(why) from None
     _require(example.strip(), "the example is a spec; it is empty")
     table = getattr(kind, "table", None)
@@ -108,7 +108,7 @@ def _check_spec(kind: AbstractKind, path: Path) -> Spec:
     _require(NAME.fullmatch(kind.name), f"a name is words with hyphens; got {shown(kind.name)}")
     tables = read_tables(path)
     spec = build_spec(tables, path)
-    _require(spec.kind is kind, f"the example is of the kind {kind.name}, found by its name; it is of {spec.kind.name}")
+    _require(spec.kind is kind, f"the example is of the kind named {kind.name}; it is of {spec.kind.name}")
     _require(isinstance(spec.system, kind.table), "the table [system] is read by the kind's `table`")
     system = tables.get("system", {"kind": kind.name})
     system = system if isinstance(system, dict) else {"kind": system}
@@ -185,7 +185,7 @@ def _check_kept(report: SystemReport) -> None:
 
 def _check_motion(kind: AbstractKind, spec: Spec, report: MotionReport) -> None:
     trajectory, moved = report.trajectory, spec.motion()
-    _require(trajectory.drift, "something is conserved or balanced, and its drift is told")
+    _require(trajectory.drift, "something is conserved or balanced, and its drift is reported")
     for name, drift in trajectory.drift.items():
         largest = float(np.max(drift))
         _require(largest < LIMITS.max_drift, f"{name} stays in the example; it drifts by {largest:.3g}, relative")
@@ -202,9 +202,9 @@ def _check_motion(kind: AbstractKind, spec: Spec, report: MotionReport) -> None:
 
 
 def _check_digits(report: MotionReport) -> None:
-    """Check what is said of the motion's error: that there is an estimate of it, and no digits beyond it.
+    """Check the report's error of the motion: that there is an estimate of it, and no digits beyond it.
 
-    What comes from the motion is what changes with its states after the first.
+    Answers that change with the states after the first come from the motion.
     """
     trajectory = report.trajectory
     if trajectory.motion is not None:
@@ -244,10 +244,10 @@ def _bend(trajectory: Trajectory) -> Trajectory:
 
     states = {name: moved(getattr(trajectory, name)) for name in ("states", *VECTORS)}
     if trajectory.attitude is not None:
-        turned = states["attitude"] / np.linalg.norm(states["attitude"], axis=-1, keepdims=True)
-        states["attitude"] = turned
+        unit = states["attitude"] / np.linalg.norm(states["attitude"], axis=-1, keepdims=True)
+        states["attitude"] = unit
         if trajectory.layout.names[:1] == ("attitude",):
-            states["states"][..., :4] = turned
+            states["states"][..., :4] = unit
     by_name = {name: {key: moved(x) for key, x in getattr(trajectory, name).items()} for name in BY_NAME}
     return replace(trajectory, **states, **by_name)
 

@@ -16,7 +16,7 @@ Laws = dict[str, tuple[Array, Array]]  # both sides of each law
 
 
 class LawBroken(AssertionError):
-    """A law does not hold; the message names it, the deviation and what it is compared with."""
+    """A law does not hold; the message names it, the deviation and the size of the values."""
 
 
 def hold(law: str, left: Any, right: Any, tolerance: float) -> None:

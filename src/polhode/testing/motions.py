@@ -30,14 +30,14 @@ LIMITS = MotionLimits()
 def check_motion(motion: AbstractMotion) -> None:
     """Check an exact motion of one body: its start, its kinematics, what it conserves, batches, other axes, and JAX.
 
-    What torque acts is not known here; compare with ``simulate`` where there is a system that moves so.
+    The torque is not known here; compare with ``simulate`` where there is a system that moves so.
 
     Args:
         motion: of one body, of NumPy arrays.
 
     Raises:
         LawBroken: naming the first law that fails.
-        InvalidInput: for what is no motion in closed form, and for a batch.
+        InvalidInput: for anything but a motion in closed form, and for a batch.
 
     >>> from polhode import FreeMotion
     >>> check_motion(FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)))
@@ -101,12 +101,12 @@ def _check_batch(motion: AbstractMotion, times: Array) -> None:
 
 def _check_axes(motion: AbstractMotion, times: Array) -> None:
     axes = np.asarray(rotation.as_matrix(TURN))
-    plain, turned = motion.along("principal"), motion.along("principal").along(axes)
+    plain, rotated = motion.along("principal"), motion.along("principal").along(axes)
     if motion.given_axes is not None:
         axes = np.asarray(motion.given_axes).T @ axes
     momentum, matrices = plain.momentum(times) @ axes, plain.rotation_matrix(times) @ axes
-    hold("other axes turn the momentum", turned.momentum(times), momentum, LIMITS.rounding)
-    hold("other axes turn the attitude", turned.rotation_matrix(times), matrices, LIMITS.rounding)
+    hold("other axes turn the momentum", rotated.momentum(times), momentum, LIMITS.rounding)
+    hold("other axes turn the attitude", rotated.rotation_matrix(times), matrices, LIMITS.rounding)
 
 
 def _check_jax(motion: AbstractMotion, times: Array, states: tuple[Array, Array]) -> None:

@@ -15,7 +15,7 @@ from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, compo
 from polhode.testing.laws import hold
 from polhode.types import Array, ArrayLike, Real
 
-TIME = 0.3  # at which what depends on time is looked at
+TIME = 0.3  # at which quantities that depend on time are checked
 
 
 class SystemLimits(NamedTuple):

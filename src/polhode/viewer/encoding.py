@@ -1,4 +1,4 @@
-"""Data inside a page: arrays as base64, in JSON that cannot end the element it stands in."""
+"""Data inside a page: arrays as base64, in JSON that cannot end the element around it."""
 
 from __future__ import annotations
 

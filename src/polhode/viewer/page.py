@@ -28,7 +28,7 @@ from polhode.viewer.panels import (
 )
 from polhode.viewer.samples import Samples, take_samples
 
-UNTRUSTED = "Here stands the page of a motion. Run this cell, or trust the notebook, to see it."
+UNTRUSTED = "This is the page of a motion. Run this cell, or trust the notebook, to see it."
 
 
 @dataclass(frozen=True, repr=False)
@@ -90,7 +90,8 @@ def make_page(
         summary: a sentence below it.
         surface: what the body looks like, in the given axes.
         notes: more lines below.
-        content: what chooses the pictures from trajectory, samples and surface; None from it for those of any body.
+        content: function of trajectory, samples and surface that chooses the pictures; None from it for those of any
+            body.
         scatters: more to draw of two numbers against each other.
 
     Raises:
@@ -133,7 +134,7 @@ def make_playground(presets: Sequence[tuple[Page, dict[str, Any]]]) -> Page:
 
 
 def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:
-    """Raise InvalidInput for what is not a trajectory or not text."""
+    """Raise InvalidInput for anything but a trajectory and texts."""
     if not isinstance(trajectory, Trajectory):
         raise InvalidInput(
             f"the page shows an exact motion, a trajectory, a report or a spec; got {type(trajectory).__name__}. Give "
@@ -216,7 +217,7 @@ def _fill_template(title: str, data: dict[str, Any], scripts: tuple[str, ...]) -
         "panels": panels,
     }  # fmt: skip
     pieces = template.split("@@")
-    # odd pieces name a part; nothing inside a part is looked at again
+    # odd pieces name a part; the content of a part is not searched again
     return "".join(parts[piece] if k % 2 else piece for k, piece in enumerate(pieces))
 
 

@@ -42,12 +42,12 @@ class PageContent:
     Attributes:
         panels: the data of each picture, named by its "type"; none where there is nothing to draw.
         scripts: JavaScript that makes the panels that the page's own script does not know.
-        plots: what is drawn over time of the samples, a title, a unit and named series each; None for what a state has.
-        scatters: what is drawn of two numbers against each other, likewise.
+        plots: pictures over time, a title, a unit and named series each; None for the parts of the state.
+        scatters: pictures of two numbers against each other, likewise.
         model: what the page's own solver needs to go on with the motion: its name as "solver", and its arguments; None
             where the page only shows samples.
         solved: whether that solver knows the motion at any time, so that the page needs no samples but their times.
-        words: more that the page is told: ``axes``, names of the body's axes, and ``units`` of energy and momentum, a
+        words: further words of the page: ``axes``, names of the body's axes, and ``units`` of energy and momentum, a
             size in SI and a name each.
     """
 
@@ -69,7 +69,7 @@ def choose_content(
         source: of the trajectory: a system, an exact motion, or anything else.
         samples: of it.
         surface: of the body, along the axes of the samples.
-        frame: of the body, which knows how far a top's centre of mass is from its pivot; None if nobody does.
+        frame: of the body, with the distance of a top's centre of mass from its pivot; None where it is not known.
     """
     moments = find_moments(source)
     if is_mechanical(source) and source.has_vertical:
@@ -87,7 +87,7 @@ def choose_content(
 
 
 def is_mechanical(source: Any) -> bool:
-    """Whether a trajectory's source is an exact motion or a system, which say what they are."""
+    """Whether a trajectory's source is an exact motion or a system."""
     return hasattr(source, "has_vertical") and hasattr(source, "free_moments")
 
 
@@ -178,7 +178,7 @@ def _body(samples: Samples, moments: Array | None, surface: Surface | None, word
 
 
 def _paint(drawn: Panel, surface: Surface) -> Panel:
-    """Add what is painted on a surface to its data; return what stands around it, in units of the surface's reach."""
+    """Add a surface's paint to its data; return the cage around it, in units of the surface's reach."""
     paint, reach = surface.paint, _reach(surface)
     if paint is None:
         return {}
@@ -267,7 +267,7 @@ def sphere_of_levels(
         momentum: (T, 3) of the samples.
         moments: (3,), None for a sphere without levels.
         rotor: (3,) h of a rotor inside; None without one.
-        words: what is said above it.
+        words: above it.
     """
     norm = float(np.linalg.norm(momentum[-1])) or float(np.linalg.norm(momentum, axis=-1).max())
     panel: Panel = {"type": "sphere", "title": "Momentum sphere", "own": None, "family": None, "separatrix": None,

@@ -40,7 +40,7 @@ class Samples:
         angular_velocity: (T, 3) [rad/s], or None.
         energy: (T,), or None, called ``energy_name`` [``energy_unit``].
         joined: whether the motion between samples is clear, so that they may be joined by lines.
-        notes: what the page has to say of this choice.
+        notes: sentences on this choice for the page.
     """
 
     times: Float64[Array, "time"]
@@ -82,7 +82,7 @@ def _check(trajectory: Trajectory) -> None:
 
 
 def _evaluate(trajectory: Trajectory, motion: AbstractMotion) -> Samples:
-    """Return an exact motion at steps that are small for the eye, its first part where it has too many turns."""
+    """Return an exact motion at fine steps, its first part where it has too many turns."""
     times = np.asarray(trajectory.times, dtype=float)
     start, end = float(times.min()), float(times.max())
     velocity = np.asarray(trajectory.angular_velocity)

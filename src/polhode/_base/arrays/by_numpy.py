@@ -1,6 +1,6 @@
 """The operations of a jaxpr on numbers, by NumPy where it has them: JAX compiles for longer than many of them take.
 
-A row of an array gives the same bits whatever rows stand beside it.
+A row of an array gives equal bits whatever the other rows are.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def take_slice(x: Array, parameters: dict[str, Any]) -> Shaped[Array, "..."]:
 def factors(
     x: list[Array], parameters: dict[str, Any]
 ) -> tuple[Shaped[Array, "..."], Shaped[Array, "..."], tuple[int, ...]]:
-    """Return what is multiplied and summed along the last axis, (batch, free, summed) each, and the result's shape."""
+    """Return the factors of ``dot_general`` as arrays (batch, free, summed), and the result's shape."""
     (summed_a, summed_b), (batch_a, batch_b) = parameters["dimension_numbers"]
     a, b = x
     free_a = [k for k in range(a.ndim) if k not in (*summed_a, *batch_a)]
@@ -66,13 +66,13 @@ def factors(
 def _dot(x: list[Array], parameters: dict[str, Any]) -> Array:
     left, right, shape = factors(x, parameters)
     result = np.zeros((len(left), left.shape[1], right.shape[1]), np.result_type(left, right))
-    for k in range(left.shape[2]):  # as BLAS sums in an order that depends on how many rows there are
+    for k in range(left.shape[2]):  # BLAS sums in an order that depends on the number of rows
         result += left[:, :, None, k] * right[:, None, :, k]
     return result.reshape(shape)
 
 
 def _pad(x: Array, value: Array, widths: Any) -> Array:
-    """Return ``pad``: so many values before, behind and between; a negative number of them is cut off."""
+    """Return ``pad``: values added before, behind and between; a negative count cuts values off."""
     gained = [(max(int(low), 0), max(int(high), 0), int(between)) for low, high, between in widths]
     sizes = [n + max(n - 1, 0) * between + low + high for n, (low, high, between) in zip(x.shape, gained, strict=True)]
     padded = np.full(sizes, value, x.dtype)
@@ -83,7 +83,7 @@ def _pad(x: Array, value: Array, widths: Any) -> Array:
 
 
 def _round_away(x: Array) -> Array:
-    """Return whole numbers, of two that are as near the one farther from zero."""
+    """Return values rounded to whole numbers, halves away from zero."""
     whole = np.trunc(x)
     return whole + np.copysign(np.abs(x - whole) >= 0.5, x)
 
@@ -94,7 +94,7 @@ def _from_end(sums: Callable[..., Any], x: Array, parameters: dict[str, Any]) ->
 
 
 def _select(x: list[Array]) -> Array:
-    """Return ``select_n``: of a yes, the second of two."""
+    """Return ``select_n``: where true, the second of two."""
     return np.where(x[0], x[2], x[1]) if x[0].dtype == bool else np.choose(x[0], x[1:])
 
 
@@ -111,7 +111,7 @@ def _along(reduce: Callable[..., Any]) -> Callable[[list[Array], dict[str, Any]]
 
 
 def _divide(a: Array, b: Array) -> Array:
-    """Return ``div``, which of whole numbers leaves out what is behind the point, where NumPy goes down."""
+    """Return ``div``, which rounds quotients of whole numbers towards zero, where NumPy rounds them down."""
     if np.issubdtype(a.dtype, np.inexact):
         return a / b
     down = a // b

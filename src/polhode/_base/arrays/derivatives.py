@@ -10,7 +10,7 @@ import numpy as np
 from polhode._base.arrays.namespaces import is_jax
 from polhode.errors import InvalidInput
 
-COMPLEX_STEP = 1e-150  # its square is nothing beside one
+COMPLEX_STEP = 1e-150  # its square is negligible beside one
 
 
 def stop_gradient(value: Any) -> Any:
@@ -80,8 +80,9 @@ def derivative_columns(
     """Return an elementwise function of equally shaped real arrays and its derivatives by each of them.
 
     The columns lie along a new first axis of every derivative. On NumPy they come from complex steps, exact to
-    rounding: there the function must be analytic, with no size or comparison of what depends on its arguments.
-    ``step``, one or an array of them, times what the function magnifies by must be next to nothing.
+    rounding: there the function must be analytic, without absolute values or comparisons of what depends on its
+    arguments.
+    ``step``, one or an array, times the magnification by the function must be far below rounding.
 
     Source: Squire & Trapp, SIAM Review 40 (1998) 110.
     """

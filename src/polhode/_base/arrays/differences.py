@@ -27,7 +27,7 @@ def differences(function: Elementwise, *arguments: Any) -> tuple[tuple[Any, ...]
 
     Args:
         function: that has an exact Jacobian.
-        arguments: of it, of any library.
+        arguments: of the function, of any library.
     """
     xp = namespace(*arguments)
     jacobian: Any = function.jacobian

@@ -17,7 +17,7 @@ QUICKLY = {"xla_cpu_use_fusion_emitters": False, "xla_backend_optimization_level
 class CallLimits(NamedTuple):
     """Numbers that decide how a function is compiled and how much of it is kept."""
 
-    max_numbers: int = 1 << 18  # that a call takes: of more, what runs slower counts
+    max_numbers: int = 1 << 18  # numbers that a call takes; of more the time of the run counts
     max_shapes: int = 128  # of a function, for which its steps are kept
 
 
@@ -27,7 +27,7 @@ LIMITS = CallLimits()
 def compiled_quickly(function: Function) -> Function:
     """Return the function compiled by JAX; for calls on few numbers on a processor, without XLA's costly optimizations.
 
-    That is for up to some thousand calls. Arguments that are not arrays are static. Inside a function that is being
+    Meant for up to some thousand calls. Arguments that are not arrays are static. Inside a function that is being
     traced, the call becomes part of it.
     """
     import equinox as eqx
@@ -50,7 +50,7 @@ def compiled_quickly(function: Function) -> Function:
 def compiled_for_few_calls(function: Function) -> Function:
     """Return the function as NumPy computes it, operation by operation; compiled quickly where NumPy lacks one.
 
-    That is for a few calls. Shapes alone decide, so that the same call has the same bits.
+    Meant for a few calls. Shapes alone decide on the way, so that equal calls give equal bits.
     """
     import jax.numpy as jnp
 
@@ -58,7 +58,7 @@ def compiled_for_few_calls(function: Function) -> Function:
 
 
 def arrays_for_few_calls(function: Function) -> Function:
-    """Return the same with NumPy's arrays as results, which are made faster than JAX's; JAX's while it traces."""
+    """Return the function with NumPy's arrays as results, made faster than JAX's; with JAX's while it traces."""
     return _computed_by_numpy(function, np.array, np.asarray)
 
 
@@ -98,7 +98,7 @@ def _are_few(arrays: list[Any]) -> bool:
 
 
 def _kind(leaf: Any) -> tuple[Any, ...]:
-    """Return shape and type of an array, or the type and value of what is static, as 1, 1.0 and True are equal."""
+    """Return shape and type of an array, or type and value of a static argument, as 1, 1.0 and True are equal."""
     return (leaf.shape, leaf.dtype) if _is_array(leaf) else (type(leaf), leaf, None)
 
 

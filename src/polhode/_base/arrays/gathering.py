@@ -39,15 +39,15 @@ def gather(x: list[Array], parameters: dict[str, Any]) -> Shaped[Array, "..."]:
     between = of.operand_batching_dims, of.start_indices_batching_dims
     sizes, left_out = parameters["slice_sizes"], of.collapsed_slice_dims
     windows = _place(array.shape, starts, of.start_index_map, sizes, left_out, between)
-    found = array[tuple(windows.places)]
+    taken = array[tuple(windows.places)]
     if parameters["mode"].name == "FILL_OR_DROP" and not windows.inside.all():
         inside = windows.inside.reshape(windows.inside.shape + (1,) * windows.axes)
-        found = np.where(inside, found, _choose_filling(parameters["fill_value"], array.dtype))
-    return np.transpose(found, _axes_of(found.ndim, of.offset_dims))
+        taken = np.where(inside, taken, _choose_filling(parameters["fill_value"], array.dtype))
+    return np.transpose(taken, _axes_of(taken.ndim, of.offset_dims))
 
 
 def scatter(put: Callable[[np.ndarray, Any, Any], None]) -> Callable[..., Shaped[Array, "..."]]:
-    """Return a form of ``scatter``, of an array, starts and windows to put there."""
+    """Return a form of ``scatter`` from an array, starts, and windows to write there."""
 
     def compute(x: list[Array], parameters: dict[str, Any]) -> Array:
         array, starts, updates = x
@@ -75,7 +75,7 @@ def take_dynamic_slice(x: list[Array], parameters: dict[str, Any]) -> Shaped[Arr
 
 
 def update_dynamic_slice(x: list[Array], parameters: dict[str, Any]) -> Shaped[Array, "..."]:
-    """Return ``dynamic_update_slice`` of an array, what to put there, and one start for each axis."""
+    """Return ``dynamic_update_slice`` from an array, the values to write, and one start for each axis."""
     result = np.array(x[0])
     result[_dynamic(result.shape, x[2:], x[1].shape)] = x[1]
     return result
@@ -113,7 +113,7 @@ def _place(
 
 
 def _axes_of(count: int, of_window: Axes) -> list[int]:
-    """Return the order of axes (batch…, window…) in which those of windows are where they are wanted."""
+    """Return the permutation of axes (batch…, window…) that puts those of windows at their places."""
     batch, order = count - len(of_window), []
     windows, rest = iter(range(batch, count)), iter(range(batch))
     for axis in range(count):
@@ -122,7 +122,7 @@ def _axes_of(count: int, of_window: Axes) -> list[int]:
 
 
 def _choose_filling(value: Any, dtype: Any) -> Any:
-    """Return what fills where nothing is: NaN, or of whole numbers the one farthest from all others."""
+    """Return the filling value: NaN, or for whole numbers the extreme one of their type."""
     if value is not None:
         return np.asarray(value, dtype)
     if np.issubdtype(dtype, np.inexact):

@@ -1,4 +1,4 @@
-"""Finds indices beyond their axis in what JAX has traced, which in their place takes the nearest element, or none."""
+"""Finds indices beyond their axis in a jaxpr, for which JAX would take the nearest element, or none."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ LIMITS = IndexLimits()
 
 
 class Beyond(NamedTuple):
-    """An index that is not one of its axis."""
+    """An index outside its axis."""
 
     element: int
     size: int
 
 
 def refuse_beyond(what: str, closed: Any) -> None:
-    """Refuse what JAX has traced if an index in it is beyond its axis.
+    """Refuse a jaxpr in which an index is beyond its axis.
 
     Args:
         what: its name, in messages.
@@ -44,10 +44,10 @@ def refuse_beyond(what: str, closed: Any) -> None:
     Raises:
         InvalidInput: naming the index and the size.
     """
-    for found in _find(closed.jaxpr, _numbers(zip(closed.jaxpr.constvars, closed.consts, strict=True))):
+    for beyond in _find(closed.jaxpr, _numbers(zip(closed.jaxpr.constvars, closed.consts, strict=True))):
         raise InvalidInput(
-            f"{what} takes element {found.element} of an axis with {found.size}, which are {-found.size} to "
-            f"{found.size - 1}: JAX would quietly take the nearest one, or none. Check the index, and the order of "
+            f"{what} takes element {beyond.element} of an axis with {beyond.size}, which are {-beyond.size} to "
+            f"{beyond.size - 1}: JAX would quietly take the nearest one, or none. Check the index, and the order of "
             "the components."
         )
 
@@ -59,7 +59,7 @@ def _numbers(pairs: Any) -> Known:
 
 
 def _find(jaxpr: Any, known: Known, left: list[int] | None = None) -> Iterator[Beyond]:
-    """Yield indices beyond their axes; what is known of the variables is added to ``known``.
+    """Yield indices beyond their axes; values that can be computed are added to ``known``.
 
     Args:
         jaxpr: of a function or a part of one.
@@ -72,13 +72,13 @@ def _find(jaxpr: Any, known: Known, left: list[int] | None = None) -> Iterator[B
         if look := LOOKS.get(equation.primitive.name):
             yield from look(equation, values)
         if equation.primitive.name == "scan":
-            carried, found = _follow_scan(equation, values, left)
-            yield from found
+            carried, beyond = _follow_scan(equation, values, left)
+            yield from beyond
             known |= _numbers(zip(equation.outvars, carried, strict=False))
         elif inner := _inner(equation, values):
             for body, given in inner:
-                results, found = _within(body, given, left)
-                yield from found
+                results, beyond = _within(body, given, left)
+                yield from beyond
                 if len(inner) == 1 and len(results) == len(equation.outvars):
                     known |= _numbers(zip(equation.outvars, results, strict=True))
         elif equation.primitive.name in BY_NUMPY and all(x is not None for x in values) and _can_follow(equation):
@@ -86,17 +86,17 @@ def _find(jaxpr: Any, known: Known, left: list[int] | None = None) -> Iterator[B
 
 
 def _within(body: Any, given: Sequence[Any], left: list[int]) -> tuple[list[Any], list[Beyond]]:
-    """Return what is known of the results of a closed jaxpr, and the indices beyond their axes in it."""
+    """Return the known values of the results of a closed jaxpr, and the indices beyond their axes in it."""
     own = _numbers(zip(body.jaxpr.constvars, body.consts, strict=True))
     own |= _numbers(zip(body.jaxpr.invars, given, strict=True))
-    found = list(_find(body.jaxpr, own, left))
-    return [_value(x, own) for x in body.jaxpr.outvars], found
+    beyond = list(_find(body.jaxpr, own, left))
+    return [_value(x, own) for x in body.jaxpr.outvars], beyond
 
 
 def _follow_scan(equation: Any, values: list[Any], left: list[int]) -> tuple[list[Any], list[Beyond]]:
-    """Return what is known of a loop's last carry, and the indices beyond their axes in any of its rounds.
+    """Return the known values of a loop's last carry, and the indices beyond their axes in any of its rounds.
 
-    A round is gone through for each number that the loop counts with; where none is known, all are alike, and one does.
+    Every round is followed where the loop carries known numbers; elsewhere all rounds are equal, and one is enough.
     """
     parameters, body = equation.params, equation.params["jaxpr"]
     fixed, carried = split_scan(parameters)
@@ -107,10 +107,10 @@ def _follow_scan(equation: Any, values: list[Any], left: list[int]) -> tuple[lis
         left[0] -= len(body.jaxpr.eqns)
         if left[0] < 0:
             carry, rows = [None] * carried, [None] * len(rows)
-        now, found = _within(body, [*constants, *carry, *(None if row is None else row[k] for row in rows)], left)
+        now, beyond = _within(body, [*constants, *carry, *(None if row is None else row[k] for row in rows)], left)
         carry = now[:carried]
-        if found or left[0] < 0:
-            return [None] * carried, found
+        if beyond or left[0] < 0:
+            return [None] * carried, beyond
     return carry if counts else [None] * carried, []
 
 
@@ -130,7 +130,7 @@ def _can_be_followed(aval: Any) -> bool:
 
 
 def _inner(equation: Any, values: list[Any]) -> list[tuple[Any, list[Any]]]:
-    """Return the functions within an operation, each with what is known of its arguments."""
+    """Return the functions within an operation, each with the known values of its arguments."""
     name, parameters = equation.primitive.name, equation.params
     if name == "cond":
         return [(body, values[1:]) for body in parameters["branches"]]
@@ -155,7 +155,7 @@ def _closed(jaxpr: Any) -> Any:
 
 
 def _in_slices(equation: Any, values: list[Any]) -> Iterator[Beyond]:
-    """Look at ``dynamic_slice`` and ``dynamic_update_slice``, whose starts JAX moves into the range."""
+    """Check ``dynamic_slice`` and ``dynamic_update_slice``, whose starts JAX moves into the range."""
     updates = equation.primitive.name == "dynamic_update_slice"
     starts = values[2 if updates else 1 :]
     whole = equation.invars[0].aval.shape
@@ -166,7 +166,7 @@ def _in_slices(equation: Any, values: list[Any]) -> Iterator[Beyond]:
 
 
 def _in_gather(equation: Any, values: list[Any]) -> Iterator[Beyond]:
-    """Look at ``gather``: a user may have said that indices are clipped, or filled with a number.
+    """Check ``gather``: a user may have asked for clipped indices, or for a filling number.
 
     ``vmap`` makes one that clips of a slice that JAX moves into the range; there no axis is dropped, as a user's has.
     """
@@ -183,7 +183,7 @@ def _in_gather(equation: Any, values: list[Any]) -> Iterator[Beyond]:
 
 
 def _in_scatter(equation: Any, values: list[Any]) -> Iterator[Beyond]:
-    """Look at ``scatter``, which drops what is beyond: some of a table may be meant to be dropped, but not all."""
+    """Check ``scatter``, which drops indices beyond an axis: part of a table may be meant to be dropped, not all."""
     if values[1] is None or _word(equation.params["mode"]) == "CLIP":
         return
     numbers = equation.params["dimension_numbers"]

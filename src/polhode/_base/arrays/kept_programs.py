@@ -27,13 +27,13 @@ LIMITS = CacheLimits()
 
 
 class SealedPrograms:
-    """The store that JAX asks for what it has compiled, as ``CacheInterface`` of JAX has it."""
+    """The store that JAX asks for compiled programs, with the methods of JAX's ``CacheInterface``."""
 
     def __init__(self, folder: Path) -> None:
         self._path = folder
 
     def get(self, key: str) -> bytes | None:
-        """Return what was put under a key; None for a missing or damaged entry."""
+        """Return the entry of a key; None for a missing or damaged one."""
         place = self._place(key)
         content = read_sealed(place, LIMITS.max_bytes)
         if content is not None:

@@ -61,7 +61,7 @@ def split_halves(a: Any) -> tuple[Any, Any]:
         return high, a - high
     import jax
 
-    # float64 has 52 bits of mantissa: 2²⁶, half a unit of what is kept, is added and the lower 27 bits are cut off:
+    # float64 has 52 bits of mantissa: 2²⁶, half a unit of the last kept bit, is added, the lower 27 are cut off:
     # 25 and the implicit one stay
     bits = jax.lax.bitcast_convert_type(a, np.int64)
     high = jax.lax.bitcast_convert_type((bits + np.int64(1 << 26)) & np.int64(-(1 << 27)), np.float64)

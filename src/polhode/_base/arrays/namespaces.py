@@ -52,7 +52,7 @@ def is_foreign(*values: Any) -> bool:
 
 
 def is_traced(*values: Any) -> bool:
-    """Whether any of the values is a JAX tracer, whose numbers cannot be looked at."""
+    """Whether any of the values is a JAX tracer, whose numbers are not known."""
     if not is_jax(*values):
         return False
     from polhode._base.jax_inner import Tracer
@@ -71,10 +71,10 @@ def _quickest_operation() -> Callable[[float], Any]:
     import jax
     import jax.numpy as jnp
 
-    seen: list[Any] = []
-    jax.make_jaxpr(lambda: seen.append(jnp.asarray(0.0)))()
+    values: list[Any] = []
+    jax.make_jaxpr(lambda: values.append(jnp.asarray(0.0)))()
     # unlike ``negative`` it need not be compiled, but releases of JAX differ in whether they trace it
-    return jnp.asarray if is_traced(*seen) else jnp.negative
+    return jnp.asarray if is_traced(*values) else jnp.negative
 
 
 def known_false(condition: Any) -> bool:
@@ -125,7 +125,7 @@ def require_doubles(**named: Any) -> None:
 
     Seven digits cannot carry a phase or an invariant. JAX makes such arrays until 64 bits are switched on, which
     importing ``polhode.algebra`` does; those from before stay as they are. Traced arrays are refused too, as their
-    types are known. Lists are looked through; None alone is an argument that was left out.
+    types are known. Lists are searched; None alone is an argument that was left out.
     """
     for name, value in named.items():
         if isinstance(value, list | tuple):
@@ -267,7 +267,7 @@ def in_jax_numpy(what: str) -> Iterator[None]:
 
 
 def _is_of_enclosed(error: TypeError, place: str | None) -> bool:
-    """Whether an error is about a traced number from outside of what JAX compiles, which a function encloses."""
+    """Whether an error is about a traced number that a compiled function encloses from outside."""
     import jax
 
     said = str(error)

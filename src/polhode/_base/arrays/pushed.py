@@ -25,7 +25,7 @@ def push(
         compiled: how closed forms are evaluated.
         primals: all arguments.
         which: indices of the arguments that change.
-        ways: their changes, in the same order.
+        ways: their changes, in that order.
     """
     return _primitive().bind(*primals, *ways, function=function, compiled=compiled, which=which)
 

@@ -1,4 +1,4 @@
-"""Functions written with JAX as steps of NumPy: what is called a few times is computed before XLA has compiled it."""
+"""Functions written with JAX as steps of NumPy: a few calls take less time so than their compilation by XLA."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Step(NamedTuple):
 
 
 class Steps:
-    """A jaxpr as a list of steps, without those whose results nobody needs.
+    """A jaxpr as a list of steps, without those whose results are unused.
 
     Args:
         closed: a jaxpr with its constants.
@@ -95,12 +95,12 @@ class Steps:
     def _take(step: Step, values: list[Any]) -> None:
         """Set the results of a step among the values."""
         compute, parameters, operands, results, types = step
-        found = compute([values[k] for k in operands], parameters)
-        if type(found) is not list:
+        computed = compute([values[k] for k in operands], parameters)
+        if type(computed) is not list:
             kind = types[0]
-            values[results[0]] = found if found.dtype is kind else np.asarray(found, kind)
+            values[results[0]] = computed if computed.dtype is kind else np.asarray(computed, kind)
             return
-        for place, value, kind in zip(results, found, types, strict=True):
+        for place, value, kind in zip(results, computed, types, strict=True):
             values[place] = np.asarray(value, kind)
 
     def _new(self, constant: Any = None) -> int:
@@ -162,9 +162,9 @@ def _scan(parameters: dict[str, Any]) -> Callable[[list[Array], Any], list[Any]]
         constants, carry, rows = x[:fixed], x[fixed : fixed + carried], x[fixed + carried :]
         stacks = [np.zeros((length, *v.aval.shape), v.aval.dtype) for v in jaxpr.jaxpr.outvars[carried:]]
         for k in order:
-            found = body([*constants, *carry, *(row[k] for row in rows)])
-            carry = found[:carried]
-            for stack, value in zip(stacks, found[carried:], strict=True):
+            computed = body([*constants, *carry, *(row[k] for row in rows)])
+            carry = computed[:carried]
+            for stack, value in zip(stacks, computed[carried:], strict=True):
                 stack[k] = value
         return [*carry, *stacks]
 

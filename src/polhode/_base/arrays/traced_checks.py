@@ -1,4 +1,4 @@
-"""Checks what JAX has traced of a user's function: its indices, and single precision that its results would hide."""
+"""Checks the jaxpr of a user's function: its indices, and single precision that its results would hide."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def check_function(what: str, function: Callable[..., Any], *arguments: Any) -> 
 
 
 def check_traced(what: str, closed: Any) -> None:
-    """Refuse what JAX has traced as ``check_function`` does.
+    """Refuse a jaxpr as ``check_function`` does.
 
     Raises:
         InvalidInput: as there.
@@ -40,7 +40,7 @@ def check_traced(what: str, closed: Any) -> None:
 
 
 def refuse_single_precision_within(what: str, closed: Any) -> None:
-    """Refuse what JAX has traced if it computes with fewer digits than float64, which no result shows.
+    """Refuse a jaxpr that computes with fewer digits than float64, which no result shows.
 
     Args:
         what: its name, in messages.

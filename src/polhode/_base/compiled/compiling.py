@@ -53,7 +53,7 @@ def compile_later(function: FunctionType, mark: str, what: str, kept_name: str) 
 class CompiledFunction:
     """A function that Python calls and Numba compiles: one process does, and all others wait for it and load that.
 
-    Workers of a sweep start at the same time, and each would compile for seconds. On a terminal it says when it does.
+    Workers of a sweep start together, and each would compile for seconds. On a terminal the compiling one says so.
 
     Args:
         what: words for what it computes.

@@ -1,4 +1,4 @@
-"""Copies of modules whose functions call each other, and others in place of some: those of Numba, or of arrays.
+"""Copies of modules whose functions call each other, with some replaced: by those of Numba, or of arrays.
 
 All functions of such a module are parts of a kernel. When it is compiled, a function becomes a part of those that call
 it ("inlined") unless it is marked.
@@ -17,12 +17,12 @@ NOTHING: Mapping[str, Any] = MappingProxyType({})
 
 
 def called(function: Function) -> Function:
-    """Mark a function that stays one by itself."""
+    """Mark a function that is not inlined."""
     return _mark(function, "called")
 
 
 def given(function: Function) -> Function:
-    """Mark a function that is replaced by the one of the same name in another module of the kernel."""
+    """Mark a function that its namesake in another module of the kernel replaces."""
     return _mark(function, "given")
 
 
@@ -46,7 +46,7 @@ def copy_modules(
         modules: of a kernel.
         make: function with the names of its copy, and its mark → its replacement.
         replaced: replacements of functions by name, for which ``make`` is not called.
-        joined: whether all have the same names, of functions those of the last module, of all else of the first.
+        joined: whether the copies share their names: functions are the last module's, all else is the first one's.
     """
     parts = tuple(modules)
     spaces = {part.__name__: dict(vars(part)) for part in parts}

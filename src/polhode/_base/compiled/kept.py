@@ -33,12 +33,12 @@ def digest_compiled(modules: Iterable[ModuleType], files: Iterable[str] = ()) ->
     digest = hashlib.sha256(repr([(name, find_version(name)) for name in COMPILED_BY]).encode())
     for path in (*sorted(Path(__file__).parent.glob("*.py")), *files):
         digest.update(Path(path).read_bytes())
-    waiting, seen = [module.__name__ for module in modules], set[str]()
+    waiting, digested = [module.__name__ for module in modules], set[str]()
     while waiting:
         name = waiting.pop()
-        if name in seen or not name.startswith("polhode."):
+        if name in digested or not name.startswith("polhode."):
             continue
-        seen.add(name)
+        digested.add(name)
         module = importlib.import_module(name)
         digest.update(f"{name}\n".encode() + Path(inspect.getfile(module)).read_bytes())
         for used in sorted(set(_names(module))):

@@ -1,4 +1,4 @@
-"""The modules of a kernel, as Python runs them and as Numba compiles them, always to the same bits.
+"""The modules of a kernel, as Python runs them and as Numba compiles them, with equal bits.
 
 Numba takes a third of a second to load, and some seconds to compile a kernel, once for an installation. Neither is
 worth it for little work.
@@ -24,7 +24,7 @@ def is_worth(spent: float, compiling: float, is_on_disk: Callable[[], bool]) -> 
     """Return whether a kernel is to be compiled or loaded.
 
     Args:
-        spent: time [s] that Python has spent on what it does.
+        spent: time [s] that Python has spent on the kernel's work.
         compiling: time [s] that Numba takes to compile it.
         is_on_disk: says whether it has been compiled before.
     """
@@ -35,7 +35,7 @@ class KernelModules:
     """Modules whose functions call each other, see ``copying``.
 
     Args:
-        name: that tells it from others with functions of the same names, of which it is kept on disk.
+        name: under which it is kept on disk, apart from kernels with functions of equal names.
         what: words for what it computes.
         modules: with their functions and constants.
         numba: returns functions for Numba in place of some of theirs, by name.
@@ -56,7 +56,7 @@ class KernelModules:
 
     @cached_property
     def compiled(self) -> dict[str, Space]:
-        """The same, with functions that Numba compiles when they are first called."""
+        """The names, with functions that Numba compiles when they are first called."""
         from polhode._base.compiled.compiling import compile_later  # which loads Numba
 
         make = lambda function, mark: compile_later(function, mark, self.what, self.kept_name)  # noqa: E731
@@ -64,7 +64,7 @@ class KernelModules:
 
     @cached_property
     def kept_name(self) -> str:
-        """The end of the names under which Numba keeps its functions, with the digest of what they are made of."""
+        """The end of the names under which Numba keeps its functions, with the digest of their sources."""
         from polhode._base.compiled.kept import digest_compiled
 
         specs = [find_spec(name) for name in self._from]  # without loading Numba

@@ -1,4 +1,4 @@
-"""Exact arithmetic with fractions: the numbers that doubles stand for, polynomials, linear algebra."""
+"""Exact arithmetic with fractions: the rational values of doubles, polynomials, linear algebra."""
 
 import lazy_loader
 

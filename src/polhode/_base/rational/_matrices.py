@@ -12,10 +12,10 @@ Rows = list[list[Fraction]]
 def reduce_rows(rows: Sequence[Sequence[Fraction]], columns: int) -> tuple[Rows, list[int]]:
     """Return the nonzero rows of the reduced echelon form, and the column of each one's pivot.
 
-    Pivots are looked for in the first ``columns`` columns only; what stands behind them is carried along.
+    Pivots are taken from the first ``columns`` columns only; columns behind these are carried along.
     """
     left = [list(row) for row in rows if any(row)]
-    found: Rows = []
+    reduced: Rows = []
     pivots: list[int] = []
     for column in range(columns):
         place = next((k for k, row in enumerate(left) if row[column]), None)
@@ -24,10 +24,10 @@ def reduce_rows(rows: Sequence[Sequence[Fraction]], columns: int) -> tuple[Rows,
         pivot = left.pop(place)
         pivot = [x / pivot[column] for x in pivot]
         left = [_eliminate(row, pivot, column) for row in left]
-        found = [_eliminate(row, pivot, column) for row in found]
-        found.append(pivot)
+        reduced = [_eliminate(row, pivot, column) for row in reduced]
+        reduced.append(pivot)
         pivots.append(column)
-    return found, pivots
+    return reduced, pivots
 
 
 def _eliminate(row: list[Fraction], pivot: list[Fraction], column: int) -> list[Fraction]:
@@ -36,7 +36,7 @@ def _eliminate(row: list[Fraction], pivot: list[Fraction], column: int) -> list[
 
 
 def null_space(rows: Sequence[Sequence[Fraction]], columns: int) -> Rows:
-    """Return a basis of what the matrix takes to zero; each vector has a one where the others have zeros, late ones."""
+    """Return a basis of the null space; each vector has a one where the others have zeros, in the free columns."""
     reduced, pivots = reduce_rows(rows, columns)
     basis = []
     for free in (k for k in range(columns) if k not in pivots):
@@ -175,7 +175,7 @@ def signature(matrix: Sequence[Sequence[Fraction]]) -> tuple[int, int, int]:
 
 
 def _add_row_and_column(matrix: Rows, i: int, j: int) -> Rows:
-    """Return the same form in coordinates in which the i-th direction is the sum of two."""
+    """Return the form in coordinates in which the i-th direction is the sum of two."""
     rows = [list(row) for row in matrix]
     rows[i] = [x + y for x, y in zip(rows[i], rows[j], strict=True)]
     for row in rows:

@@ -36,7 +36,7 @@ class RationalPolynomial:
         return [RationalPolynomial(size, {_unit(size, k): 1}) for k in range(size)]
 
     def constant(self, value: Fraction | int) -> RationalPolynomial:
-        """Return a number as a polynomial in the same variables."""
+        """Return a number as a polynomial in these variables."""
         return RationalPolynomial(self.size, {(0,) * self.size: value})
 
     def _like(self, other: RationalPolynomial | Fraction | int) -> RationalPolynomial:
@@ -86,7 +86,7 @@ class RationalPolynomial:
         return sum((abs(c) for c in self.terms.values()), Fraction(0))
 
     def part(self, lowest: int, highest: int | None = None) -> RationalPolynomial:
-        """Return the terms of degrees from lowest to highest; no highest for all above."""
+        """Return the terms of degrees from lowest to highest, or of all degrees above."""
         top = self.degree if highest is None else highest
         return RationalPolynomial(self.size, {m: c for m, c in self.terms.items() if lowest <= sum(m) <= top})
 
@@ -157,12 +157,12 @@ class RationalPolynomial:
 
 
 def total(size: int, parts: Iterable[RationalPolynomial]) -> RationalPolynomial:
-    """Return the sum of polynomials in so many variables."""
-    found: dict[Exponents, Fraction] = defaultdict(Fraction)
+    """Return the sum of polynomials in ``size`` variables."""
+    terms: dict[Exponents, Fraction] = defaultdict(Fraction)
     for p in parts:
         for m, c in p.terms.items():
-            found[m] += c
-    return RationalPolynomial(size, found)
+            terms[m] += c
+    return RationalPolynomial(size, terms)
 
 
 def linear_form(row: Sequence[Fraction]) -> RationalPolynomial:

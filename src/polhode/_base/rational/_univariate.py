@@ -22,7 +22,7 @@ def trim(p: Sequence[Fraction]) -> Coefficients:
 
 
 def divide(p: Sequence[Fraction], q: Sequence[Fraction]) -> tuple[Coefficients, Coefficients]:
-    """Return quotient and rest."""
+    """Return quotient and remainder."""
     rest, quotient = list(p), []
     while len(rest) >= len(q):
         factor = rest[0] / q[0]
@@ -32,7 +32,7 @@ def divide(p: Sequence[Fraction], q: Sequence[Fraction]) -> tuple[Coefficients, 
 
 
 def common_factor(p: Sequence[Fraction], q: Sequence[Fraction]) -> Coefficients:
-    """Return the greatest common divisor, with a leading one."""
+    """Return the monic greatest common divisor."""
     p, q = trim(p), trim(q)
     while q:
         p, q = q, divide(p, q)[1]
@@ -47,7 +47,7 @@ def derivative(p: Sequence[Fraction]) -> Coefficients:
 
 
 def squarefree(p: Sequence[Fraction]) -> Coefficients:
-    """Return the polynomial with the same roots, each once."""
+    """Return the square-free polynomial with these roots."""
     p = trim(p)
     return divide(p, common_factor(p, derivative(p)))[0] if len(p) > 1 else p
 

@@ -2,7 +2,7 @@
 
 A double is the binary fraction that it is, unless the user says that the decimals were meant: then it is the shortest
 decimal that rounds to it, which Python prints. Both readings are one-to-one and keep order: numbers are equal, or one
-is larger, where their doubles are. So 0.1 + 0.2 is no 0.3 in either, and whoever means 3/10 says "0.3", or 3/10.
+is larger, where their doubles are. So 0.1 + 0.2 is not 0.3 in either; for 3/10 give "0.3", or "3/10".
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ READINGS = {
     "exact": "each double is the binary fraction that it is",
     "decimal": "each double is the shortest decimal that rounds to it",
 }
-EXACT = "exact"  # what is read where nothing else is said, everywhere
+EXACT = "exact"  # the default everywhere
 _TEXT = re.compile(r"[+-]?(?:[0-9]+/[0-9]+|(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE](?P<exponent>[+-]?[0-9]+))?)")
 
 
@@ -43,12 +43,12 @@ def read_number(value: Any, read_as: str = EXACT, name: str = "number") -> Fract
 
     Args:
         value: a double, whole number, Fraction, Decimal, number of SymPy or mpmath; or a text, decimals like "0.3" or a
-            quotient like "1/3". All but doubles are what they say.
+            quotient like "1/3". All but doubles are read exactly.
         read_as: "exact" or "decimal", how a double is read; see ``READINGS``.
         name: of the value, for messages.
 
     Raises:
-        InvalidInput: for what is not one finite real number within 1e±5000, and for single precision.
+        InvalidInput: for anything but one finite real number within 1e±5000, and for single precision.
 
     >>> read_number(0.1), read_number(0.1, "decimal"), read_number("0.1"), read_number(0.375)
     (Fraction(3602879701896397, 36028797018963968), Fraction(1, 10), Fraction(1, 10), Fraction(3, 8))
@@ -95,7 +95,7 @@ def nearest_double(number: Fraction) -> float:
 
 
 def check_reading(read_as: Any) -> None:
-    """Refuse what names no reading of doubles."""
+    """Refuse a word that names no reading of doubles."""
     if not isinstance(read_as, str) or read_as not in READINGS:
         raise InvalidInput(f'`read_as` must be "exact" or "decimal"; got {shown(read_as)}.')
 

@@ -16,7 +16,7 @@ app = typer.Typer(
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
-    rich_markup_mode=None,  # half of the time that `--help` would take
+    rich_markup_mode=None,  # half of the time of `--help`
 )
 
 SpecPath = Annotated[Path, typer.Argument(metavar="SPEC", help="TOML file: what body, how it spins, when.")]

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def write(content: Content, path: Path) -> Path:
-    """Write the motion, or the data of the report on what does not move."""
+    """Write the motion, or the data of a report without one."""
     if content.samples is None and content.save is not None:
         return content.save(path)
     from polhode.formats.dataset import label_attributes, write_dataset

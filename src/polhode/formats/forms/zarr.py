@@ -1,4 +1,4 @@
-"""The format ``zarr``: the same content as NetCDF, in a folder of Zarr; it is read as a dataset."""
+"""The format ``zarr``: the content of ``netcdf`` in a folder of Zarr; it is read as a dataset."""
 
 from __future__ import annotations
 

@@ -131,7 +131,7 @@ PARTS = ("attitude", "momentum", "angular_velocity")
 
 
 def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> Ensemble | None:
-    """Return what ``AbstractKind.ensemble`` does; None for answers that need a report on each."""
+    """Return the answers as ``AbstractKind.ensemble`` does; None for answers that need a report on each."""
     spec, varied, bodies, count = samples.spec, samples.varied, samples.bodies, samples.size
     spins = {key.removeprefix("spin."): values for key, values in varied.items() if key.startswith("spin.")}
     known = {*NUMBERS, *(STATES + part for part in PARTS)}

@@ -1,4 +1,4 @@
-"""What a free body does, in one sentence, as a person would describe it."""
+"""One sentence on the motion of a free body."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def _cone(motion: FreeMotion) -> str:
 
 
 def _rank(motion: FreeMotion, axis: int) -> str:
-    """Return in words whether an axis has the largest, middle or smallest moment."""
+    """Return a phrase on whether an axis has the largest, middle or smallest moment."""
     moments = np.asarray(motion.moments)
     if (moments == moments[axis]).sum() > 1:
         return ""

@@ -67,7 +67,7 @@ class GyrostatReport(MotionReport):
 
     @property
     def free(self) -> bool:
-        """Whether the rotor is free, or turned by a motor of given torque, and not held at a constant rate."""
+        """Whether the rotor is free, or driven by a motor of given torque, and not held at a constant rate."""
         return self.motor or self.table.rotor_drive == "free"
 
     @property
@@ -119,7 +119,7 @@ class GyrostatReport(MotionReport):
     def notes(self) -> list[str]:
         notes = [*self.spec.remarks]
         if any(e.circle for e in self.equilibria):
-            notes.append("two moments are equal: a row stands for the whole circle of equilibria that it lies on.")
+            notes.append("two moments are equal: a row means the whole circle of equilibria that it lies on.")
         if any(e.verdict.verdict == "stable" and e.extremum == "maximum" for e in self.equilibria):
             notes.append("losses in the carrier make the body leave a steady rotation where the energy has a maximum.")
         return notes
@@ -220,7 +220,7 @@ class GyrostatReport(MotionReport):
 
 
 def make_report(spec: Spec[GyrostatTable]) -> GyrostatReport:
-    """Return the report on a body with a rotor, driven at a constant rate, free, or turned by a motor.
+    """Return the report on a body with a rotor, driven at a constant rate, free, or driven by a motor's torque.
 
     Raises:
         InvalidInput: for a rotor that does not fit into the body.

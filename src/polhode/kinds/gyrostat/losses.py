@@ -1,4 +1,4 @@
-"""What losses in platform and rotor do to small nutation about the rotor's axis."""
+"""The effect of losses in platform and rotor on small nutation about the rotor's axis."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ LIMITS = LossLimits()
 
 
 def judge_losses(table: GyrostatTable, body: Body, angular_velocity: Float64[Array, "3"]) -> DualSpinDamping | None:
-    """Return what losses do by the criterion of Landon and Iorillo; None where it does not hold.
+    """Return the effect of losses by the criterion of Landon and Iorillo; None where it does not hold.
 
-    It is for small nutation of a craft that is, within one per cent, one of revolution about the axis of its rotor.
+    It holds for small nutation of a craft that is axisymmetric about its rotor's axis within one per cent.
 
     Args:
         table: of the rotor.
@@ -56,14 +56,14 @@ def judge_losses(table: GyrostatTable, body: Body, angular_velocity: Float64[Arr
         raise InvalidInput(f"system.platform_loss, system.rotor_loss: {error}") from None
 
 
-def describe_losses(table: GyrostatTable, found: DualSpinDamping) -> Group:
+def describe_losses(table: GyrostatTable, damping: DualSpinDamping) -> Group:
     """Return the answers."""
-    platform, rotor = found.effects
+    platform, rotor = damping.effects
     given = table.platform_loss is not None or table.rotor_loss is not None
-    time = found.time_constant if given and math.isfinite(found.time_constant) else None
+    time = damping.time_constant if given and math.isfinite(damping.time_constant) else None
     sense = None if time is None else f"{duration(abs(time))}, {'decays' if time > 0.0 else 'grows'} by e"
     return Group("Losses, at small nutation about the rotor's axis", [
-        Answer("losses.nutation_rate", found.nutation_rate, "rad/s", "nutation in space", "h/A"),
+        Answer("losses.nutation_rate", damping.nutation_rate, "rad/s", "nutation in space", "h/A"),
         Answer("losses.platform", platform, "", "losses in the body", "", EFFECTS[platform]),
         Answer("losses.rotor", rotor, "", "losses in the rotor", "", EFFECTS[rotor]),
         Answer("losses.time_constant", time, "s", "nutation angle", "negative where it grows", sense),

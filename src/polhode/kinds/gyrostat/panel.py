@@ -36,7 +36,7 @@ class GyrostatPanel(KindPanel):
     """The pictures of a body with a rotor on a page."""
 
     def model(self, trajectory: Trajectory) -> dict[str, Any] | None:
-        """Return the body, its rotor and its start; None of one whose motor turns the rotor, and without attitudes."""
+        """Return the body, its rotor and its start; None with a motor, and without attitudes."""
         system, start = trajectory.source, find_start(trajectory)
         if start is None or not isinstance(system, Gyrostat):
             return None

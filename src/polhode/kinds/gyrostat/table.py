@@ -18,7 +18,7 @@ class GyrostatTable(SystemTable):
         rotor_rate: relative to the body.
         rotor_drive: by default "free" with a motor torque and "constant-rate" without.
         platform_loss: mean power over the square of the nutation angle that is lost in the body.
-        rotor_loss: the same in the rotor.
+        rotor_loss: likewise in the rotor.
     """
 
     rotor_axis: Direction = Field(description="give it like [0.0, 0.0, 1.0], along the given axes")

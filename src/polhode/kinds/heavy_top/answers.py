@@ -32,7 +32,7 @@ from polhode.simulation import simulate
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, Float64
 
-NAMES = {"|P|²": "|Γ|²", "Π·P": "vertical_momentum"}  # the Casimirs of se(3)*, called by what they are here
+NAMES = {"|P|²": "|Γ|²", "Π·P": "vertical_momentum"}  # the Casimirs of se(3)*, by their names for a top
 QUANTITIES = {
     "|Γ|²": Quantity("1", "squared length of the upward direction"),
     "vertical_momentum": Quantity("kg m2 s-1", "angular momentum about the vertical"),

@@ -195,9 +195,9 @@ def _build_top(body: Body, table: LagrangeTopTable, subject: str) -> HeavyTop:
     Raises:
         InvalidInput: for a body without mass, or one that is not a Lagrange top about its pivot.
     """
-    build_top(body, table.pivot, table.gravity)  # refuses what no top has
+    build_top(body, table.pivot, table.gravity)  # refuses values that no top has
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)  # that the body is free is said in the report
+        warnings.simplefilter("ignore", UserWarning)  # the report says that the body is free
         try:
             pivoted = about_pivot(body, table.pivot, table.gravity)
             moments, axes = third_axis_to_centre(pivoted)

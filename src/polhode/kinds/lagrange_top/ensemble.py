@@ -47,7 +47,7 @@ NUMBERS: dict[str, Callable[[LagrangeMotion], Any]] = {
 
 
 def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> Ensemble | None:
-    """Return what ``AbstractKind.ensemble`` does; None for answers that need a report on each."""
+    """Return the answers as ``AbstractKind.ensemble`` does; None for answers that need a report on each."""
     if not set(names) <= {*NUMBERS, *(STATES + part for part in PARTS)}:
         return None
     starts: list[tuple[Array, float, Array, Array]] = [RESTING] * samples.size
