@@ -30,10 +30,12 @@ def test_a_free_body_crosses_twice_a_period(direction, forth):
     assert direction == "either" or (np.sign(later) == (1.0 if direction == "rising" else -1.0)).all()
 
 
-@pytest.mark.parametrize(("until", "room"), [(3.0, 8), pytest.param(30.0, runs.FIRST_HITS, marks=pytest.mark.long)])
+@pytest.mark.parametrize(
+    ("until", "room"), [(3.0, 8), pytest.param(30.0, runs.LIMITS.first_crossings, marks=pytest.mark.long)]
+)
 def test_zeros_close_together_and_many(until, room, monkeypatch):
     """Zeros of cos 40t, up to ninety to a step of the body, more than room is made for; and few, where so many do."""
-    monkeypatch.setattr(runs, "FIRST_HITS", room)
+    monkeypatch.setattr(runs, "LIMITS", runs.LIMITS._replace(first_crossings=room))
     waves = lambda t, point: jnp.cos(40.0 * t) + 0.0 * point[0]  # noqa: E731
     found = ph.section(BODY, MOMENTUM, waves, (0.0, until), "either")
     assert found.times == pytest.approx((np.arange(len(found.times)) + 0.5) * np.pi / 40.0, rel=1e-12)

@@ -15,7 +15,7 @@ from polhode import algebra as lie
 from polhode import systems
 from polhode.errors import NotConverged
 from polhode.integrators import LieMidpoint, MuntheKaas, SphericalMidpoint
-from polhode.integrators._equal_steps import BLOCK
+from polhode.integrators._equal_steps import LIMITS
 from specimens import spins
 from sweeping import first
 
@@ -72,14 +72,14 @@ def test_a_copy_that_fails_leaves_the_others():
 
 @pytest.mark.sweep
 def test_more_copies_than_a_block():
-    count = 2 * BLOCK + 3
+    count = 2 * LIMITS.copies_in_block + 3
     states = np.linspace(0.5, 2.0, count)[:, None] * SLOW
     found = ph.simulate(body, states.reshape(1, count, 3), TIMES)
     exact = ph.FreeMotion(MOMENTS, momentum=states.reshape(1, count, 1, 3)).momentum(TIMES)
     assert found.states.shape == (1, count, 4, 3)
     assert np.abs(found.states - exact).max() < 1e-9
-    more = ph.simulate(body, states[:BLOCK], TIMES)
-    assert (more.states == found.states[0, :BLOCK]).all(), "blocks are one compiled function"
+    more = ph.simulate(body, states[:LIMITS.copies_in_block], TIMES)
+    assert (more.states == found.states[0, :LIMITS.copies_in_block]).all(), "blocks are one compiled function"
 
 
 @pytest.mark.long

@@ -25,7 +25,7 @@ def run(times, step, states=START):
 def test_stretches_join_into_the_whole_run(monkeypatch, states):
     many, few = np.linspace(0.0, 10.0, 101), np.linspace(0.0, 10.0, 3)
     whole = [run(many, 0.02, states), run(few, 0.02, states)]
-    monkeypatch.setattr(equal_steps, "STRETCH", 64)
+    monkeypatch.setattr(equal_steps, "LIMITS", equal_steps.LIMITS._replace(steps_in_call=64))
     found = [run(many, 0.02, states), run(few, 0.02, states)]
     assert np.array_equal(found[0], whole[0])
     assert np.abs(found[1] - whole[1]).max() < SAME

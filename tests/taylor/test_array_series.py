@@ -54,7 +54,8 @@ def of_arrays(field, start, t=0.4):
 @pytest.mark.parametrize("name", FIELDS)
 @pytest.mark.parametrize("orders", ["a loop", "written out"])
 def test_coefficients_are_those_of_power_series(orders, name, monkeypatch):
-    monkeypatch.setattr(array_series, "LARGE", 0 if orders == "written out" else array_series.LARGE)
+    if orders == "written out":
+        monkeypatch.setattr(array_series, "LIMITS", array_series.LIMITS._replace(min_optimized_size=0))
     field, other = FIELDS[name]
     wanted = by_flint(other, START, 0.4, ORDER)
     assert np.abs(of_arrays(field, START) / wanted - 1.0).max() < 300.0 * EPS
@@ -144,7 +145,8 @@ def bump(t, y):
 @pytest.mark.parametrize("orders", ["a loop", "written out"])
 def test_steps_end_before_hidden_changes(orders, monkeypatch):
     """A bump far ahead, whose coefficients cannot be seen, and a root whose argument has a double zero; see there."""
-    monkeypatch.setattr(array_series, "LARGE", 0 if orders == "written out" else array_series.LARGE)
+    if orders == "written out":
+        monkeypatch.setattr(array_series, "LIMITS", array_series.LIMITS._replace(min_optimized_size=0))
     by = choose_precision(None)
     seen = run_arrays(OwnField(bump), np.zeros(2), np.array([0.0, 100.0]), by.order, by.reach)
     assert seen.states[-1, 1] == pytest.approx(2.0 * np.sqrt(np.pi), rel=1e-13)

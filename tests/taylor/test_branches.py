@@ -185,7 +185,7 @@ def test_sections_of_surfaces_with_corners():
 
 def test_a_border_that_is_not_minded_is_seen(monkeypatch):
     monkeypatch.setattr(switching, "settle", lambda of, y, signs, *others: list(signs))
-    with pytest.raises(InvalidInput, match="whose border it has crossed unseen"):
+    with pytest.raises(InvalidInput, match="whose border it has crossed undetected"):
         ph.simulate(wedge(), [0.3, 1.5, 1.0], [0.0, 10.0], method=ph.integrators.Taylor())
 
 

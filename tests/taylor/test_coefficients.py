@@ -11,7 +11,7 @@ import pytest
 
 from polhode import systems
 from polhode.taylor import kernel, kernel_series
-from polhode.taylor.expressions import MOST_NODES, Tape, Untraceable
+from polhode.taylor.expressions import LIMITS, Tape, Untraceable
 from polhode.taylor.jaxprs import write_jaxpr
 from polhode.taylor.kernel_space import series_for
 from polhode.taylor.machine import build_machine
@@ -241,6 +241,6 @@ def test_what_has_no_recurrence_is_named(function, said):
 def test_a_tape_that_grows_too_long_is_refused():
     tape = Tape(2)
     x, y = tape.state()
-    with pytest.raises(Untraceable, match=f"more than {MOST_NODES} operations"):
-        for k in range(MOST_NODES + 2):
+    with pytest.raises(Untraceable, match=f"more than {LIMITS.max_nodes} operations"):
+        for k in range(LIMITS.max_nodes + 2):
             tape.product(x + float(k), y)

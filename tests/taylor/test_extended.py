@@ -10,7 +10,7 @@ from polhode import celestial, systems
 from polhode.errors import InvalidInput
 from polhode.integrators import Taylor
 from polhode.integrators._series import NoSeries
-from polhode.taylor import flight, kernels
+from polhode.taylor import advancing, kernels
 
 EXTENDED = Taylor(precision="extended")
 EPS = 2.0**-52
@@ -44,8 +44,8 @@ def test_a_top_is_exact_after_1e5_seconds():
 @pytest.mark.long
 def test_a_moment_off_in_its_last_digit_is_seen(monkeypatch):
     """So that no number computed of the moments can have been rounded to a double."""
-    exact_for = flight.exact_for
-    monkeypatch.setattr(flight, "exact_for", lambda program, numbers, orders: exact_for(
+    exact_for = advancing.exact_for
+    monkeypatch.setattr(advancing, "exact_for", lambda program, numbers, orders: exact_for(
         program, np.where(numbers == MOMENTS[2], np.nextafter(MOMENTS[2], 1.0), numbers), orders))  # fmt: skip
     error, said = top_at(2e3)
     assert error > 20.0 * EPS > 2.0 * said
@@ -91,7 +91,8 @@ def test_powers_keep_their_digits():
 def test_python_and_numba_give_the_same_bits(monkeypatch):
     found = []
     for made in (kernels.python_kernel, kernels.compile_kernel):
-        monkeypatch.setattr(flight, "choose_kernel", lambda copies, extended=False, made=made: made(kernels.EXTENDED))
+        use = made(kernels.EXTENDED)
+        monkeypatch.setattr(advancing, "choose_kernel", lambda copies, extended=False, use=use: use)
         found.append(ph.simulate(Kepler(), np.array([0.5, 0.0, 0.0, 1.7]), np.linspace(0.0, 3.0, 4), EXTENDED).states)
     assert (found[0] == found[1]).all()
 

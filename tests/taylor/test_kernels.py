@@ -7,7 +7,7 @@ import pytest
 from polhode import celestial, fields, systems
 from polhode._base.compiled import kept
 from polhode.motion._outcome import Status
-from polhode.taylor import kernels, lanes, straight_line
+from polhode.taylor import advancing, kernels, lanes, straight_line
 from polhode.taylor.machine import build_machine
 from polhode.taylor.program import FACTOR, Program
 from polhode.taylor.runs import choose_precision, run_copies
@@ -91,7 +91,7 @@ def assert_same_bits(one, other):
 @pytest.fixture
 def by(monkeypatch):
     """Let one kernel move all copies."""
-    return lambda use: monkeypatch.setattr("polhode.taylor.flight.choose_kernel", lambda copies, extended=False: use)
+    return lambda use: monkeypatch.setattr("polhode.taylor.advancing.choose_kernel", lambda copies, extended=False: use)
 
 
 @pytest.mark.long
@@ -142,9 +142,9 @@ def test_lanes_as_python_change_no_bit_either(by):
 @pytest.mark.parametrize("width", [1, lanes.LANES])
 def test_written_code_changes_no_bit(by, monkeypatch, width, make, copies):
     by(make(width))
-    monkeypatch.setattr(kernels, "WRITTEN", np.inf)
+    monkeypatch.setattr(kernels, "LIMITS", kernels.LIMITS._replace(min_seconds_of_operation=np.inf))
     from_tables = motions(copies)
-    monkeypatch.setattr(kernels, "WRITTEN", -1.0)
+    monkeypatch.setattr(kernels, "LIMITS", kernels.LIMITS._replace(min_seconds_of_operation=-1.0))
     written = []
     own = straight_line.generate
     monkeypatch.setattr(straight_line, "generate", lambda *given: written.append(own(*given)) or written[-1])
@@ -171,7 +171,7 @@ def test_code_that_adds_wrongly_is_seen(by, monkeypatch):
     right = motions()
     straight_line._compile.cache_clear()
     monkeypatch.setattr(straight_line.ir.IRBuilder, "fadd", straight_line.ir.IRBuilder.fsub)
-    monkeypatch.setattr(kernels, "WRITTEN", -1.0)
+    monkeypatch.setattr(kernels, "LIMITS", kernels.LIMITS._replace(min_seconds_of_operation=-1.0))
     wrong = motions()
     straight_line._compile.cache_clear()
     assert any(not np.array_equal(x, y) for x, y in zip(right, wrong, strict=True))
@@ -189,7 +189,7 @@ def test_calls_that_end_before_the_copies_do_change_no_bit(by):
 def test_threads_change_no_bit(by, monkeypatch):
     by(kernels.compile_kernel(lanes.LANES))
     whole = motions(11)
-    monkeypatch.setattr("polhode.taylor.flight.WORTH", 4)
+    monkeypatch.setattr(advancing, "LIMITS", advancing.LIMITS._replace(min_copies_of_thread=4))
     monkeypatch.setattr("os.sched_getaffinity", lambda process: range(3), raising=False)
     assert_same_bits(whole, motions(11))
 

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.taylor.kernel_zeros import DEPTH, first_zero
+from polhode.taylor.kernel_zeros import MAX_WAITING, first_zero
 from taylor.test_coefficients import OwnField
 
 ORDER = 24
@@ -16,7 +16,7 @@ def found(roots, high, falling, sign):
     p = np.zeros(ORDER + 1)
     exact = np.polynomial.polynomial.polyfromroots(roots) * sign
     p[: len(exact)] = exact
-    return first_zero(p, ORDER, 0.0, high, falling, np.zeros(ORDER + 1), np.zeros(2 * DEPTH + 4))
+    return first_zero(p, ORDER, 0.0, high, falling, np.zeros(ORDER + 1), np.zeros(2 * MAX_WAITING + 4))
 
 
 def first_change(roots, high, falling, sign):

@@ -214,14 +214,15 @@ def test_a_top_that_is_upright_again_at_the_only_sample_is_lost():
 @pytest.mark.long
 def test_without_the_more_exact_run_it_is_not(monkeypatch):
     """The control for Dopri8: a run that holds a hundred times the tolerance takes the same long steps on a saddle."""
-    monkeypatch.setattr(_adaptive, "SAFETY", 0.0)
+    monkeypatch.setattr(_adaptive, "LIMITS", _adaptive.LIMITS._replace(error_factor=0.0))
     with pytest.raises(AssertionError):
         judge(*errors_and_estimates(make(own_body, MANY), METHODS["Dopri8"], 8))
 
 
 def test_without_other_roundings_it_is_not(monkeypatch):
     """The control for Taylor: runs of the same order, reach and start."""
-    for name, value in (("FINER", 0), ("CLOSER", 1.0), ("starts_a_rounding_away", lambda system, state: [state] * 2)):
+    limits = _series.LIMITS._replace(extra_orders=0, reach_share=1.0)
+    for name, value in (("LIMITS", limits), ("starts_a_rounding_away", lambda system, state: [state] * 2)):
         monkeypatch.setattr(_series, name, value)
     with pytest.raises(AssertionError):
         judge(*errors_and_estimates(make(own_body, FEW), None, 1))

@@ -18,8 +18,8 @@ from polhode.analysis.floquet import LIMITS as FLOQUET_LIMITS
 from polhode.analysis.floquet import PeriodicMotion, periodic_motion
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.systems.base import AbstractSystem
+from polhode.taylor.advancing import integrals_at
 from polhode.taylor.expressions import Untraceable
-from polhode.taylor.flight import integrals_at
 from polhode.taylor.machine import Form, build_machine
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 

@@ -43,27 +43,33 @@ from polhode.systems.base import AbstractSystem
 from polhode.types import Array, Bool, Double, Float64, Integer
 
 TOLERANCE = 1e-12  # of a step, relative; below it rounding of the stages is all that is left
-STRETCH = 20_000  # steps in one call, which take from a tenth of a second to some seconds
-ENDLESS = MOST_STEPS  # that the rest would take at the pace of a stretch: a motion that two stretches find so is stuck
-AS_ONE = 8  # copies of a batch that cost about as much as one
-LOOSER = 100.0  # the tolerance of one run by which the error is estimated
-GAIN = 20.0  # at least so much larger its error is
-TIGHTER, TIGHTEST = 10.0, 3e-14  # of the other: its tolerance is so much less, but not below what stages can hold
-SHORTER = 0.6  # of the motion's mean step, the longest of that run
-SAFETY = 2.0  # of its distance from the motion
-FEWEST = 4.0  # roundings of the last step and of the sample itself
+
+
+class EstimateLimits(NamedTuple):
+    """What bounds the error that two further runs, a tighter and a looser one, show."""
+
+    tighter_factor: float = 10.0  # by which the tolerance of the tighter run is smaller,
+    min_tolerance: float = 3e-14  # though not below what stages can hold
+    max_step_share: float = 0.6  # of the motion's mean step, the longest step of the tighter run
+    error_factor: float = 2.0  # of the distance of the tighter run from the motion
+    looser_factor: float = 100.0  # by which the tolerance of the looser run is larger,
+    min_looser_gain: float = 20.0  # and by which its error is at least
+    min_error_roundings: float = 4.0  # of the last step and of the sample itself
+
+
+LIMITS = EstimateLimits()
 
 
 class AdaptiveMotion(NamedTuple):
-    """What came out, on plain arrays.
+    """A motion by adaptive steps, as plain arrays.
 
     Attributes:
         times: (K,) [s] saved samples; of one motion up to its end, the event's own time if one ended it.
         states: (batch…, K, …); infinite after the end of a copy of a batch.
-        received: name → what each balance received since the first time, (batch…, K).
+        received: name → the integral of each balance since the first time, (batch…, K).
         event: name of what ended the one motion, or None.
         successful: (batch…) whether it reached its end.
-        steps: how many were taken, by the copy that took most.
+        steps: of the copy that took most.
         ends: how each copy ended.
         memory: of one motion by series of arrays, with which it goes on to the same bits, else None.
         steps_of_copies: (batch…) how many each copy took, of a motion by series.
@@ -95,7 +101,7 @@ def solve_adaptively(
     """Return the motion at times, or up to the first of the system's events.
 
     Args:
-        system: what moves; its rates may depend on time.
+        system: its rates may depend on time.
         solver: one of diffrax's.
         state: as ``system.check_state`` gives it.
         times: (T,) [s], in one direction.
@@ -150,18 +156,19 @@ def adaptive_error(
     """Return the estimated error (batch…) of a motion, from two further runs with other steps.
 
     Beside a saddle, what is small there has no part in the control of steps: they are as long as samples let them be,
-    with any tolerance, and two runs of the same steps have their error alike. So one run holds a tenth of the
-    tolerance by steps that are all shorter than the mean one of the motion. It is the more exact of the two, and their
-    difference the error, unless rounding makes both, which could bring them together by chance. The other run holds a
-    hundred times the tolerance, and its error is at least so much larger. Both begin a rounding away, which shows what
-    roundings grow to. As they may be near to the motion at a few samples by chance, they are also compared with each
-    other in between. Events are not compared; where one comes before the second sample the error is None, of a copy in
+    with any tolerance, and two runs with equal steps have equal errors. So one run holds a tenth of the tolerance by
+    steps that are all shorter than the motion's mean step. It is more exact than the motion, and their difference is
+    the motion's error, unless both are off by rounding and agree by chance. The other run holds a hundred times the
+    tolerance, and its error is at least twenty times larger. Both begin a rounding away, which shows what roundings
+    grow to. As they may be near the motion at a few samples by chance, they are also compared with each other in
+    between. Events are not compared; where one comes before the second sample the error is None, of a copy in
     a batch infinite.
     """
     own = TOLERANCE if tolerance is None else tolerance
     mean = abs(float(motion.times[-1] - motion.times[0])) / max(motion.steps, 1)
-    shorter = SHORTER * mean if step is None else min(SHORTER * mean, step)
-    plans = (max(own / TIGHTER, min(own, TIGHTEST)), shorter), (LOOSER * own, step)
+    shorter = LIMITS.max_step_share * mean if step is None else min(LIMITS.max_step_share * mean, step)
+    tighter = max(own / LIMITS.tighter_factor, min(own, LIMITS.min_tolerance))
+    plans = (tighter, shorter), (LIMITS.looser_factor * own, step)
     windows = 1 if kept > 1 or system.events else inner_windows(len(times), motion.steps // len(times[1:]))
     runs = [
         _run_with_more_samples(partial(_again, system, solver, *plan, kept), start, times, windows)
@@ -174,9 +181,10 @@ def adaptive_error(
     if (more := [states for _, states in runs if states is not None])[1:]:
         with np.errstate(invalid="ignore"):
             between = difference(system, *more)
-    # a pulse that no run met makes them alike, which proves nothing
-    rounding = np.full(np.shape(off), EPS * (motion.steps if depends_on_time(system, state) else FEWEST))
-    error = np.where(off > LARGE, off, np.max([SAFETY * off, far / GAIN, between / GAIN, rounding], axis=0))
+    # where no run met a pulse all agree, which proves nothing
+    roundings = motion.steps if depends_on_time(system, state) else LIMITS.min_error_roundings
+    shares = LIMITS.error_factor * off, far / LIMITS.min_looser_gain, between / LIMITS.min_looser_gain
+    error = np.where(off > LARGE, off, np.max([*shares, np.full(np.shape(off), EPS * roundings)], axis=0))
     fine = motion.successful & runs[0][0].successful & runs[1][0].successful
     return np.where(fine & ~np.asarray(unknown) & ~np.asarray(unknown_too), error, np.inf)
 
@@ -193,7 +201,7 @@ def _run_with_more_samples(
 ) -> tuple[AdaptiveMotion, np.ndarray | None]:
     """Return a run at the times, and its states at so many times as many; by windows, so that nothing is compiled.
 
-    The states are None where they are not known, as where a window ends at a jump of rates, which no sample does.
+    The states are None where a window fails, for instance where it ends at a jump of rates, which no sample does.
     """
     if windows == 1:
         return again(start, times), None
@@ -256,7 +264,8 @@ def _by_stretches(
 ) -> Sampled:  # fmt: skip
     """Return the motion of one state or of a row of them, by an explicit method."""
     by, run = _begin(system, states, times, kept)
-    stretch = STRETCH // -(-(run.time.size) // AS_ONE)
+    # steps in one call, which take from a tenth of a second to some seconds; eight copies cost about as much as one
+    stretch = 20_000 // -(-(run.time.size) // 8)
     first, last = float(times[0]), float(times[-1])
     shown, before = meter.init(), np.zeros(run.time.shape)
     slow = np.zeros(run.time.shape, bool)
@@ -266,8 +275,9 @@ def _by_stretches(
             status = np.asarray(run.status)
             check()
             reached = np.where(status == embedded.RUNNING, (np.asarray(run.time) - first) / (last - first), 1.0)
-            # as where rates jump and lead back from both sides, and steps are as short as the tolerance makes them
-            endless = (1.0 - reached) * stretch > ENDLESS * (reached - before)
+            # stuck if at the pace of either of two calls the rest would take more steps than are allowed, as where
+            # rates jump and lead back from both sides, and steps are as short as the tolerance makes them
+            endless = (1.0 - reached) * stretch > MOST_STEPS * (reached - before)
             status = np.where(endless & slow & (status == embedded.RUNNING), Status.NOT_CONVERGED, status)
             run, slow, before = run._replace(status=jnp.asarray(status)), endless, reached
             shown = meter.step(shown, jnp.asarray(reached.mean()))

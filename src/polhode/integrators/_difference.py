@@ -13,7 +13,6 @@ from polhode.types import Array, Double, Float64
 
 LARGE = 0.05  # of the state's size: runs that differ by more are not in the regime of small errors
 EPS = float(np.finfo(float).eps)
-STARTS = 2  # a single one may lie along the motion by chance, where nothing grows
 TWO_PLACES = 2.0  # by which starts are off, of estimates that take no factor of four for safety
 LUCK = 100.0  # by which two runs may by chance be nearer to each other than to the true motion
 
@@ -44,7 +43,7 @@ def difference(
 
 
 def _has_sizes_by_algebra(system: AbstractSystem) -> TypeGuard[AbstractLiePoissonSystem]:
-    """Return whether the algebra tells the sizes of a state's parts, and the system names none of its own."""
+    """Return whether the algebra defines the sizes of a state's parts, and the system names none of its own."""
     own = type(system).scales is not AbstractLiePoissonSystem.scales
     return isinstance(system, AbstractLiePoissonSystem) and not own
 
@@ -65,27 +64,28 @@ def starts_a_rounding_away(
     Motions from these starts have other roundings all along, and show what the start's own grows to. Beside a saddle
     along an axis explicit methods compute what is small to roundings of itself, and roundings of its part would be as
     large as it. Implicit methods iterate until changes are roundings of the largest number. All copies of a batch are
-    moved alike, so that none depends on where it stands. What is zero stays so, as a saddle may need.
+    moved alike, so that none depends on its place in the batch. What is zero stays so, as a saddle may need.
     """
     rng, point = np.random.default_rng(1), np.asarray(state)
+    count = 2  # a single one may lie along the motion by chance, where nothing grows
     if not isinstance(system, AbstractLiePoissonSystem) or (of_parts and not _has_sizes_by_algebra(system)):
         own = np.shape(point)[np.ndim(point) - system.state_axes :]
         moves = EPS * _sizes_by_system(system, point) if of_parts else places * _last_places(point)
-        return [point + moves * (rng.normal(size=own) if of_parts else _signs(rng, own)) for _ in range(STARTS)]
+        return [point + moves * (rng.normal(size=own) if of_parts else _signs(rng, own)) for _ in range(count)]
     attitude, point = system.parts(point)
     vector = np.array(system.algebra.to_dual_vector(point))
     moves = EPS * _sizes_by_part(system, point, vector) if of_parts else places * _last_places(vector)
     parts = parts_with_units(system, point) if len(system.algebra.element_shape) == 1 else [(...,)]
     starts = []
-    for _ in range(STARTS):
-        turned = attitude
+    for _ in range(count):
+        perturbed = attitude
         if of_parts and attitude is not None:
-            turned = attitude + EPS * _unit(rng, 4)
+            perturbed = attitude + EPS * _unit(rng, 4)
         moved = vector.copy()
         for part in parts:
             length = vector[part].shape[-1]
             moved[part] += moves[part] * (_unit(rng, length) if of_parts else _signs(rng, (length,)))
-        starts.append(join_state(turned, np.asarray(system.algebra.from_dual_vector(moved))))
+        starts.append(join_state(perturbed, np.asarray(system.algebra.from_dual_vector(moved))))
     return starts
 
 
@@ -100,7 +100,7 @@ def _last_places(numbers: Array) -> Array:
 
 
 def _sizes_by_system(system: AbstractSystem, state: Array) -> Array:
-    """Return the sizes of a state's numbers that a system tells, zero where a number is zero."""
+    """Return the sizes of a state's numbers that a system names, zero where a number is zero."""
     own = state.shape[np.ndim(state) - system.state_axes :]
     sizes = component_sizes(system, np.reshape(state, (-1, *own))).reshape(state.shape)
     return np.where(state != 0.0, np.where(np.isinf(sizes), np.abs(state), sizes), 0.0)

@@ -18,7 +18,7 @@ class EventBisection(optimistix.Bisection):
 
     def __init__(self) -> None:
         # events fall from positive values; a copy of a batch without one runs the same search, with no change of sign
-        super().__init__(rtol=embedded.EVENT_TOLERANCE, atol=0.0, flip=True)
+        super().__init__(rtol=embedded.LIMITS.event_tolerance, atol=0.0, flip=True)
 
     def terminate(
         self, fn: Any, y: Float64[Array, ""], args: Any, options: Any, state: Any, tags: Any
@@ -36,7 +36,7 @@ class PresentTimeControl(diffrax.PIDController):
 
     def _at(self, *times: Any) -> diffrax.PIDController:
         present = jnp.max(jnp.abs(jnp.stack([jnp.asarray(t) for t in times])))
-        least = jnp.maximum(embedded.TIME_ROUNDING * present, embedded.SHORTEST_STEP)
+        least = jnp.maximum(embedded.LIMITS.min_relative_step * present, embedded.LIMITS.min_step)
         return diffrax.PIDController(rtol=self.rtol, atol=self.atol, dtmin=least, dtmax=self.dtmax, force_dtmin=False)
 
     def init(self, terms: Any, t0: Any, *args: Any, **named: Any) -> Any:

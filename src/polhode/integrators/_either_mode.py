@@ -122,8 +122,8 @@ def _jvp(primals: Any, tangents: Any, *, count: int, along: Any, name: str, twic
             at[k] = x
         return along(*at, *ways)
 
-    _, turned = jax.jvp(of_known, [known[k] for k in moving], [tangents[k] for k in moving])
-    return results, [a + b for a, b in zip(moved, _forward_only(turned, f"the derivative of {name}"), strict=True)]
+    _, slopes = jax.jvp(of_known, [known[k] for k in moving], [tangents[k] for k in moving])
+    return results, [a + b for a, b in zip(moved, _forward_only(slopes, f"the derivative of {name}"), strict=True)]
 
 
 def _transpose(weights: Any, *args: Any, count: int, along: Any, back: Any, **more: Any) -> list[Any]:

@@ -21,18 +21,23 @@ from polhode.integrators import _diffrax as diffrax
 from polhode.motion._outcome import Status
 from polhode.types import Array, Bool, Float64, Integer
 
-BESIDE = 2e-15  # of a time, by which the stages of a step stay within it
-EVENT_TOLERANCE = 1e-15  # of an event's time, relative: a few roundings
-TIME_ROUNDING = 2e-15  # of the present time: shorter steps are rounded by a tenth, and a repeated one may be the same
-SHORTEST_STEP = 1e-290  # s; at time zero steps advance however short they are
 RUNNING = -1  # a run that has not ended; otherwise one of ``Status``
-SAFETY, MOST_SHRINKING, MOST_GROWTH = 0.9, 0.2, 10.0  # of a step, as PIDController has them
-FIRST_SHARE = 0.01  # of the time in which the state changes by its own size: the first step
-NOTHING, FIRST_AT_REST = 1e-17, 1e-6  # a size that counts as zero; the first step [s] then
+
+
+class StepLimits(NamedTuple):
+    """Thresholds that end a run or an event's search."""
+
+    event_tolerance: float = 1e-15  # of an event's time, relative: a few roundings
+    # of the present time: a shorter step would be rounded by a tenth, and repeating it might change nothing
+    min_relative_step: float = 2e-15
+    min_step: float = 1e-290  # s; at time zero steps advance however short they are
+
+
+LIMITS = StepLimits()
 
 Rates = Callable[[Float64[Array, ""], Any], Any]
 Margin = Callable[[Float64[Array, ""], Any], Float64[Array, ""]]
-Seen = Callable[[Float64[Array, ""], Any], Any]
+Saved = Callable[[Float64[Array, ""], Any], Any]
 
 
 class Problem(NamedTuple):
@@ -46,11 +51,11 @@ class Problem(NamedTuple):
 
     rates: Rates
     margin: Margin | None
-    seen: Seen
+    seen: Saved
 
 
 class Run(NamedTuple):
-    """A run on its way, for one copy.
+    """The progress of the run of one copy.
 
     Attributes:
         interval: the index of the next of the times.
@@ -58,7 +63,7 @@ class Run(NamedTuple):
         time: [s] reached.
         state: there, any nest of arrays.
         slope: its rate of change there, where the method's last stage gives it; otherwise of no meaning.
-        step: the next one [s], signed; zero at the start, where it is not known yet.
+        step: the next one [s], signed; zero at the start, where it is not chosen yet.
         low: an event lies behind this offset from ``time`` [s] …
         high: … and not behind this one; zero while there is none.
         beyond: the state at ``high``.
@@ -96,16 +101,16 @@ def is_embedded(method: Any) -> bool:
     return isinstance(method, diffrax.AbstractERK)
 
 
-def begin(state: Any, times: Float64[Array, "time"], kept: Float64[Array, "kept"], seen: Seen) -> Run:
-    """Return a run that has not left its start.
+def begin(state: Any, times: Float64[Array, "time"], kept: Float64[Array, "kept"], saved_of: Saved) -> Run:
+    """Return a run at its start.
 
     Args:
         state: any nest of arrays, of about the same size in all.
         times: (T,) [s], in one direction.
         kept: (K,) some of them, with the first.
-        seen: what is saved of a time and a state.
+        saved_of: what is saved of a time and a state.
     """
-    first = seen(times[0], state)
+    first = saved_of(times[0], state)
     saved = jax.tree.map(lambda x: jnp.full((kept.shape[0], *x.shape), jnp.inf, x.dtype).at[0].set(x), first)
     zero, one = jnp.zeros(()), jnp.ones((), int)
     slope = jax.tree.map(jnp.zeros_like, state)
@@ -131,7 +136,7 @@ def advance(
         limit: of the steps since the start of the run.
         jumps: which of the times rates of change jump at; None for a run without.
     """
-    rates, margin, seen = problem
+    rates, margin, saved_of = problem
     order: Any = method.error_order(diffrax.ODETerm(lambda t, y, args: y))
     forth = jnp.sign(times[-1] - times[0])
     count = times.shape[0]
@@ -158,29 +163,31 @@ def advance(
         saves = reached & (time == kept[place])
         # what follows the step
         # the error goes with h^order: Hairer, Nørsett & Wanner, §II.4
-        factor = jnp.clip(SAFETY * size ** (-1.0 / order), jnp.where(fine, 1.0, MOST_SHRINKING),
-                          jnp.where(fine, MOST_GROWTH, SAFETY))  # fmt: skip
-        step = h * jnp.where(jnp.isnan(factor), MOST_SHRINKING, factor)
+        # of a step, as PIDController has them
+        safety, max_shrinking, max_growth = 0.9, 0.2, 10.0
+        factor = jnp.clip(safety * size ** (-1.0 / order), jnp.where(fine, 1.0, max_shrinking),
+                          jnp.where(fine, max_growth, safety))  # fmt: skip
+        step = h * jnp.where(jnp.isnan(factor), max_shrinking, factor)
         # a step that was cut short at a sample says little about the next one
         step = jnp.where(fine & clipped & (jnp.abs(run.step) > jnp.abs(step)), run.step, step)
-        shortest = jnp.maximum(TIME_ROUNDING * jnp.abs(run.time), SHORTEST_STEP)
+        shortest = jnp.maximum(LIMITS.min_relative_step * jnp.abs(run.time), LIMITS.min_step)
         step = jnp.where(probing, forth * jnp.maximum(_first_step(run.state, slope), shortest), step)
         if largest is not None:
             step = forth * jnp.minimum(jnp.abs(step), largest)
         stuck = ~fine & ~seeking & ~(jnp.abs(step) >= shortest)
         at_jump = jumps[jnp.minimum(run.interval, count - 1)] if jumps is not None else jnp.asarray(False)
         stuck |= ~probing & ~seeking & (h == 0.0) & ~(at_jump & clipped)  # times too coarse for the step
-        # behind a jump nothing is known of the rates, and a step is sought as at the start
+        # behind a jump the rates are new, and a step is chosen as at the start
         step = jnp.where(reached & at_jump, 0.0, step)
         # the event lies between two offsets, of which every trial replaces one
         low = jnp.where(seeking & ~past, h, run.low)
         high = jnp.where(past, h, run.high)
-        width = EVENT_TOLERANCE * jnp.maximum(jnp.abs(run.time + low), jnp.abs(run.time + high))
+        width = LIMITS.event_tolerance * jnp.maximum(jnp.abs(run.time + low), jnp.abs(run.time + high))
         split = (h == run.low) | (h == run.high)  # no time is left between the two
         hit = (high != 0.0) & ((jnp.abs(high - low) <= width) | (seeking & split)) | (past & probing)
         status = jnp.where(reached & (run.interval == count - 1), Status.COMPLETED, run.status)
         status = jnp.where(hit, Status.EVENT, jnp.where(stuck, Status.NOT_CONVERGED, status))
-        saved = _save(run.saved, place, seen(time, later), saves)
+        saved = _save(run.saved, place, saved_of(time, later), saves)
         chosen = lambda yes, new, old: jax.tree.map(lambda a, b: jnp.where(yes, a, b), new, old)  # noqa: E731
         return Run(
             run.interval + reached, run.place + saves, jnp.where(advances, time, run.time),
@@ -210,7 +217,8 @@ def at_event(run: Run, rates: Rates, margin: Margin) -> tuple[Float64[Array, ""]
 
 def _within(begin: Array, end: Array, forth: Array) -> Callable[[Array], Array]:
     """Return what moves a time into the inside of a step, so that no stage is at the other side of a jump."""
-    beside = forth * jnp.maximum(BESIDE * jnp.maximum(jnp.abs(begin), jnp.abs(end)), SHORTEST_STEP)
+    rounding = 2e-15  # of a time
+    beside = forth * jnp.maximum(rounding * jnp.maximum(jnp.abs(begin), jnp.abs(end)), LIMITS.min_step)
     low, high = forth * (begin + beside), forth * jnp.where(end == begin, begin + beside, end - beside)
     return lambda t: forth * jnp.clip(forth * t, low, jnp.maximum(low, high))
 
@@ -249,8 +257,10 @@ def _first_step(state: Any, slope: Any) -> Float64[Array, ""]:
     """Return a length [s] for the first step, short of what the tolerance will allow."""
     over = lambda x: jax.tree.map(lambda v, y: v / (1.0 + jnp.abs(y)), x, state)  # noqa: E731
     size, rate = _root_mean_square(over(state)), _root_mean_square(over(slope))
-    known = (size > NOTHING) & (rate > NOTHING)
-    return jax.lax.stop_gradient(jnp.where(known, FIRST_SHARE * size / jnp.where(known, rate, 1.0), FIRST_AT_REST))
+    zero, at_rest = 1e-17, 1e-6  # a size that counts as zero; the first step [s] then
+    moves = (size > zero) & (rate > zero)
+    # a hundredth of the time in which the state changes by its own size
+    return jax.lax.stop_gradient(jnp.where(moves, 0.01 * size / jnp.where(moves, rate, 1.0), at_rest))
 
 
 def _root_mean_square(values: Any) -> Float64[Array, ""]:
@@ -260,5 +270,5 @@ def _root_mean_square(values: Any) -> Float64[Array, ""]:
 
 
 def _save(saved: Any, place: Array, now: Any, saves: Bool[Array, ""]) -> Any:
-    """Return what was saved, with what is seen now if it is to be."""
+    """Return the saved samples, with the present one at its place where it is to be saved."""
     return jax.tree.map(lambda x, xs: xs.at[place].set(jnp.where(saves, x, xs[place])), now, saved)

@@ -19,9 +19,8 @@ from polhode.systems.base import AbstractSystem
 
 Parameters = ParamSpec("Parameters")
 Result = TypeVar("Result")
-REMEMBERED = 256  # systems
 _plain: set[Any] = set()
-"""Those that are known to enclose no traced numbers, by their parts and shapes."""
+"""Systems that enclose no traced numbers, by their parts and shapes."""
 
 
 def refuse_derivatives_by_enclosed(solve: Callable[Parameters, Result]) -> Callable[Parameters, Result]:
@@ -58,20 +57,20 @@ def _find_enclosed(system: AbstractSystem, solution: Any) -> list[Any]:
         return eqx.combine(arrays, rest).vector_field(t, state)
 
     consts = jax.make_jaxpr(rates)(jnp.zeros(()), one, arrays).consts
-    found = [x for x in consts if is_traced(x)]
-    if key is not None and not found:
-        if len(_plain) >= REMEMBERED:
+    enclosed = [x for x in consts if is_traced(x)]
+    if key is not None and not enclosed:
+        if len(_plain) >= 256:
             _plain.clear()
         _plain.add(key)
-    return found
+    return enclosed
 
 
 def _guard(solution: Result, enclosed: list[Any], name: str) -> Result:
-    """Return the same, of which a derivative by what is enclosed raises."""
+    """Return the solution, whose derivatives by what is enclosed raise."""
     arrays, rest = eqx.partition(solution, eqx.is_inexact_array)
 
     @jax.custom_jvp
-    def same(arrays: Any, enclosed: Any) -> Any:
+    def guarded(arrays: Any, enclosed: Any) -> Any:
         return arrays
 
     def rule(primals: Any, tangents: Any) -> tuple[Any, Any]:
@@ -79,8 +78,8 @@ def _guard(solution: Result, enclosed: list[Any], name: str) -> Result:
             raise InvalidInput(f"the functions of {name} {ENCLOSED}")
         return primals[0], jax.tree.map(_as_array, tangents[0], is_leaf=_is_zero)
 
-    same.defjvp(rule, symbolic_zeros=True)
-    return eqx.combine(same(arrays, enclosed), rest)
+    guarded.defjvp(rule, symbolic_zeros=True)
+    return eqx.combine(guarded(arrays, enclosed), rest)
 
 
 def _is_zero(tangent: Any) -> bool:

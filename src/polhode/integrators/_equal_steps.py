@@ -1,10 +1,10 @@
 """A whole run by equal steps: one compiled loop over the samples, and every copy of a batch by itself.
 
 Copies are run in blocks, each a ``vmap`` of the run of one: step size, iterations of implicit steps, pieces of flows
-and failures are a copy's own, so that its result is that of the copy alone but for the rounding of another vector
-length. A block is as slow as its fastest copy; copies are sorted by their rates, so that like ones stand together.
+and failures are a copy's own, so that its result equals that of the copy alone, up to the rounding of another vector
+length. A block is as slow as its fastest copy; copies are sorted by their rates, so that similar ones share a block.
 
-The loop is called for one stretch of the time after another, always as the same compiled function: Python acts on
+The loop is called for one part of the time after another, always as one compiled function: Python acts on
 Ctrl-C, and progress is shown, only between two calls.
 """
 
@@ -24,12 +24,16 @@ from polhode.integrators._interrupts import keep_interrupts
 from polhode.integrators.base import AbstractOrbitSolver, Memory, step_count
 from polhode.types import Array, Bool, Double, Float64, Integer
 
-BLOCK = 64  # copies: enough that a step's fixed costs do not count, few enough that a fast copy slows few others
-STRETCH = 50_000  # steps in one call, which take from a quarter of a second to a few seconds
-MAX_STEPS = 1e10  # of a run, which takes hours
-PLACES = 48  # at about so many at least motions are compared
-STEPS_IN_PART = 8  # between two of them at least, so that longer steps are longer there too
-AS_ONE = 8  # copies in a block that cost about as much as one
+
+class RunLimits(NamedTuple):
+    """Bounds of a run by equal steps."""
+
+    max_steps: float = 1e10  # which take hours
+    steps_in_call: int = 50_000  # which take from a quarter of a second to a few seconds
+    copies_in_block: int = 64  # enough that fixed costs do not count, few enough that a fast copy slows few others
+
+
+LIMITS = RunLimits()
 
 
 class Run(NamedTuple):
@@ -71,10 +75,11 @@ def run_by_equal_steps(
         InvalidInput: for a run of too many steps.
     """
     wanted = float(step_counts(times, sizes).sum(axis=-1).max())
-    if not wanted <= MAX_STEPS:
+    if not wanted <= LIMITS.max_steps:
         raise InvalidInput(
-            f"the run would take {wanted:.1e} steps of {float(np.min(sizes)):.3g} s, and at most {MAX_STEPS:.0e} are "
-            "taken. Check `times` and `step` and their units, or follow the motion in parts."
+            f"the run would take {wanted:.1e} steps of {float(np.min(sizes)):.3g} s, and at most "
+            f"{LIMITS.max_steps:.0e} are taken. Check `times` and `step` and their units, or follow the motion in "
+            "parts."
         )
     own = solver.system.state_axes
     batch = jnp.shape(state)[: jnp.ndim(state) - own]
@@ -93,7 +98,7 @@ def run_by_equal_steps(
     order = np.argsort(np.ravel(rates), kind="stable")
     flat, ordered = flat[order], np.ravel(sizes)[order]
     kept = jax.tree.map(lambda x: np.asarray(x).reshape(-1, *np.shape(x)[len(batch) :])[order], memory)
-    width = min(BLOCK, 1 << (len(flat) - 1).bit_length())
+    width = min(LIMITS.copies_in_block, 1 << (len(flat) - 1).bit_length())
     blocks = []
     for first in range(0, len(flat), width):
         # the last block is filled up with its last copy, so that one compiled function serves every number of copies
@@ -113,7 +118,7 @@ def run_through_windows(
     solver: AbstractOrbitSolver, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], meter: Any, windows: int,
 ) -> Run:  # fmt: skip
-    """Return the motion at so many times as many times, by runs one after the other, for which nothing is compiled."""
+    """Return the motion at the times and between them, by one run after the other: nothing more is compiled."""
     first, *others = split_into_windows(times, windows)
     run = run_by_equal_steps(solver, state, first, sizes, rates, meter)
     axis, states = np.ndim(sizes), [run.states]
@@ -128,11 +133,13 @@ def inner_windows(times: int, steps: int) -> int:
 
     They may by chance be at the same saddle at all samples, and differ only in between.
     """
-    return int(np.clip(steps // STEPS_IN_PART, 1, -(-PLACES // (times - 1))))
+    least = 48  # times of a comparison
+    # of eight steps at least, so that longer steps are longer there too
+    return int(np.clip(steps // 8, 1, -(-least // (times - 1))))
 
 
 def split_into_windows(times: Float64[np.ndarray, "time"], windows: int) -> Float64[np.ndarray, "windows time"]:
-    """Return as many times in each of the windows, of which those of all contain the times."""
+    """Split the span into windows of as many times each, which together contain the given ones."""
     fine = np.append(np.linspace(times[:-1], times[1:], windows, endpoint=False, axis=1).ravel(), times[-1])
     return np.stack([fine[k * (len(times) - 1) : (k + 1) * (len(times) - 1) + 1] for k in range(windows)])
 
@@ -147,8 +154,8 @@ def step_counts(
 def _run_block(
     go: Any, solver: Any, state: Array, times: np.ndarray, sizes: Array, show: Any, every: int, memory: Memory | None
 ) -> Run:
-    """Return the motion of one copy or of a block of them, stretch by stretch."""
-    longest = STRETCH // -(-sizes.size // AS_ONE)
+    """Return the motion of one copy or of a block of them, call by call."""
+    longest = LIMITS.steps_in_call // -(-sizes.size // 8)  # eight copies cost about as much as one
     parts = int(np.ceil(step_counts(times, sizes).max() / longest))  # of every interval between samples
     fine = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
     stretches = _stretches(step_counts(fine, sizes).reshape(-1, len(fine) - 1).max(axis=0), longest)

@@ -1,6 +1,6 @@
 """Fixed-point iteration to rounding, with a count and a convergence test; derivatives by the implicit function rule.
 
-Optimistix finds the same ones, but its derivatives take from 1.3 times the time to compile with GMRES to 300 times the
+Optimistix solves these too, but its derivatives take from 1.3 times the time to compile with GMRES to 300 times the
 time to run with a dense matrix of 3000 unknowns.
 """
 
@@ -15,17 +15,25 @@ import jax.numpy as jnp
 
 from polhode.types import Array, Bool, Double, Float64, Integer
 
-MOST = 100
-ROUNDING = 4e-16  # of the unknown's size: a change below it is none
-NEAR = 1e-11  # of the unknown's size: below it, a change that no longer shrinks is rounding too
-NOTHING = 1e-15  # rad: where the group hardly moves, changes below it that no longer shrink are rounding as well
-LUCKY = 0.1  # a change that shrank by more may have done so by chance: the next one is not promised to shrink so much
-BLOWN_UP = 10.0  # times the first change: a quick map that diverges
 
+class IterationLimits(NamedTuple):
+    """When an iteration has converged, and when it is given up."""
+
+    max_iterations: int = 100
+    relative_rounding: float = 4e-16  # of the unknown's size: a change below it is none
+    # of the unknown's size, and rad where the group hardly moves: below them, a change that no longer shrinks is
+    # rounding too
+    max_stalled_change: float = 1e-11
+    max_stalled_angle: float = 1e-15
+    min_ratio: float = 0.1  # of two changes: a smaller one may be chance, and is not extrapolated
+    max_growth: float = 10.0  # over the first change: beyond, a quick map diverges
+
+
+LIMITS = IterationLimits()
 Map = Callable[[Array], Array]
 
 
-class Found(NamedTuple):
+class FixedPoint(NamedTuple):
     """The last iterate, how many were needed, and whether they settled; of a batch, by the copy that needed most."""
 
     value: Double[Array, "*shape"]
@@ -34,7 +42,7 @@ class Found(NamedTuple):
 
 
 class _Run(NamedTuple):
-    """An iteration: how many iterates and the last; of each copy its change, the most it may be, and how it stands."""
+    """An iteration: how many iterates and the last; of each copy its change, the bound of that, and its status."""
 
     iterations: Array
     value: Array
@@ -46,8 +54,8 @@ class _Run(NamedTuple):
 
 def fixed_point(
     function: Map, start: Double[Array, "..."], scale: Float64[Array, "*batch"], quick: Map | None = None
-) -> Found:
-    """Iterate x = function(x) until the changes are negligible in ``scale``, or are rounding and shrink no more.
+) -> FixedPoint:
+    """Iterate x = function(x) until changes are negligible against ``scale``, or are rounding and shrink no more.
 
     Args:
         function: a contraction for steps that are short enough.
@@ -65,7 +73,7 @@ def fixed_point(
             run = _iterate(function, start, scale, everyone)
             count, settled = run.iterations, run.settled
         else:
-            first = _iterate(quick, start, scale, everyone, BLOWN_UP, ahead=True)
+            first = _iterate(quick, start, scale, everyone, LIMITS.max_growth, ahead=True)
             # from where the quick map began, as it may have gone far
             again = jnp.where(_wide(first.settled, start), first.value, start)
             run = _iterate(function, again, scale, ~first.settled)
@@ -76,7 +84,7 @@ def fixed_point(
     root = jax.lax.custom_root(
         lambda x: function(x) - x, start, iterate, partial(_linear, jnp.ndim(scale)), has_aux=True)  # fmt: skip
     x, (count, converged) = root
-    return Found(x, count.astype(int), converged > 0.5)
+    return FixedPoint(x, count.astype(int), converged > 0.5)
 
 
 def _iterate(
@@ -89,12 +97,12 @@ def _iterate(
     batch = jnp.ndim(scale)
 
     def has_settled(change: Array, last: Array) -> Array:
-        small = change <= ROUNDING * scale
+        small = change <= LIMITS.relative_rounding * scale
         if ahead:
             # changes that shrink in proportion: the next one is change²/last
-            next_one = change * jnp.maximum(change / jnp.where(last > 0.0, last, 1.0), LUCKY)
-            small |= (change < 0.5 * last) & (next_one <= ROUNDING * scale)
-        return small | ((change <= NEAR * scale + NOTHING) & (change >= last))
+            next_one = change * jnp.maximum(change / jnp.where(last > 0.0, last, 1.0), LIMITS.min_ratio)
+            small |= (change < 0.5 * last) & (next_one <= LIMITS.relative_rounding * scale)
+        return small | ((change <= LIMITS.max_stalled_change * scale + LIMITS.max_stalled_angle) & (change >= last))
 
     def improve(run: _Run) -> _Run:
         better = function(run.value)
@@ -108,7 +116,7 @@ def _iterate(
         return _Run(run.iterations + 1, better, change, limit, jnp.where(run.active, done, run.settled), going)
 
     def unfinished(run: _Run) -> Array:
-        return jnp.any(run.active) & (run.iterations < MOST)
+        return jnp.any(run.active) & (run.iterations < LIMITS.max_iterations)
 
     endless = jnp.full(jnp.shape(scale), jnp.inf)
     begun = _Run(jnp.zeros((), int), start, endless, endless, jnp.zeros(jnp.shape(scale), bool), active)
@@ -124,7 +132,7 @@ def _size(x: Array, batch: int) -> Array:
 
 
 def _wide(of_copies: Array, like: Array) -> Array:
-    """Return what is said of each copy (batch…) with axes to go along with an array (batch…, …)."""
+    """Return a property of each copy (batch…) with the axes of an array (batch…, …)."""
     return of_copies.reshape(*of_copies.shape, *[1] * (jnp.ndim(like) - of_copies.ndim))
 
 
@@ -135,13 +143,14 @@ def _linear(batch: int, residual: Map, wanted: Array) -> Array:
 
 
 def _by_iteration(batch: int, residual: Map, wanted: Array) -> Array:
-    """Return v with J v − v = wanted, by v ← J v − wanted, each copy until it is found."""
+    """Return v with J v − v = wanted, by v ← J v − wanted, until each copy has converged."""
 
     def unfinished(carried: tuple[Array, ...]) -> Array:
         count, v, change, last = carried
         size = _size(v, batch)
-        moving = (change > ROUNDING * size) & ((change > NEAR * size) | (change < last))
-        return (count < MOST) & jnp.any(moving & jnp.isfinite(change))
+        large = change > LIMITS.max_stalled_change * size
+        moving = (change > LIMITS.relative_rounding * size) & (large | (change < last))
+        return (count < LIMITS.max_iterations) & jnp.any(moving & jnp.isfinite(change))
 
     def improve(carried: tuple[Array, ...]) -> tuple[Array, ...]:
         count, v, change, _ = carried

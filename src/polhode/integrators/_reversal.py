@@ -1,12 +1,12 @@
 """Equal steps whose reverse-mode derivatives go back along the motion instead of storing it.
 
 A symmetric method undoes a step of length h by one of length −h. So the way back needs the state at the end alone: at
-each step it regains the state before, and applies the transposed derivative of the step there. What is regained differs
-from what was there by rounding, which grows on the way back: slowly in regular motion, exponentially in a chaotic or
-damped one. So segments of at most ``SEGMENT`` steps are gone back at once, and what is regained at a segment's start is
-compared with the state there. Where they differ by more than ``REGAINED`` the segment is thrown away and cut, down to
+each step it regains the state before, and applies the transposed derivative of the step there. The regained state is
+off by rounding, which grows on the way back: slowly in regular motion, exponentially in a chaotic or damped one. So
+segments of at most ``max_steps`` are gone back at once, and the state regained at a segment's start is compared with
+the one computed forward. Where they differ by more than ``tolerance`` the segment is thrown away and cut, down to
 single steps, which regain nothing. The states at starts of segments are computed forward, from checkpoints: a few for
-every digit that the number of steps may have to base ``BRANCHES``, so that the memory does not depend on it.
+every digit that the number of steps may have to base ``branches``, so that the memory does not depend on it.
 
 Measured over 1e4 steps of a free body (1000 rad): segments of 64 steps give the gradient as well as single steps do,
 to 3e-12 of forward mode, in two thirds of the time; segments of 1024 steps, regained to 1e-13, lose a digit.
@@ -28,12 +28,19 @@ from polhode._base.jax_inner import eval_jaxpr
 from polhode.integrators._either_mode import by_either_mode
 from polhode.types import Array, Bool, Double, Float64, Integer
 
-REGAINED = 32.0 * float(np.finfo(float).eps)  # of a part's largest size in the segment: a state that was regained
-SEGMENT = 64  # steps gone back at once: regular motion is regained to two or three ulps after them
-BRANCHES = 4  # pieces into which a segment is cut; more of them cost memory, fewer cost time
-SHORTER = 8  # by which segments are shorter, at least, where one was not regained
-POWERS = BRANCHES ** np.arange(18)  # of which the last is more steps than there are hours for
-PLACES = (BRANCHES - 1) * len(POWERS) + 1
+
+class ReversalLimits(NamedTuple):
+    """How far steps are undone at once, and how well."""
+
+    max_steps: int = 64  # of a segment: regular motion is regained to two or three ulps after them
+    tolerance: float = 32.0 * float(np.finfo(float).eps)  # of a regained state, of a part's largest size in the segment
+    branches: int = 4  # pieces into which a segment is cut; more of them cost memory, fewer cost time
+    min_shortening: int = 8  # of segments where one was not regained
+
+
+LIMITS = ReversalLimits()
+POWERS = LIMITS.branches ** np.arange(18)  # of which the last is more steps than there are hours for
+PLACES = (LIMITS.branches - 1) * len(POWERS) + 1
 
 Step = Callable[[Any, Any, Any, Any, Any], tuple[Array, Array, Array, Array, Any]]
 Pair = tuple[Array, Array]
@@ -109,7 +116,7 @@ def repeat_steps(step: Step, inputs: Given, parts: Sequence[Any], symmetric: boo
         return jax.lax.while_loop(unfinished, once, first)
 
     def back(whole: Callable[[Any], Given], moved: Any, reached: Reached, weights: Any) -> Any:
-        return _Way(take_step, whole, moved, parts).back(reached, weights, SEGMENT if symmetric else 1)
+        return _Way(take_step, whole, moved, parts).back(reached, weights, LIMITS.max_steps if symmetric else 1)
 
     return by_either_mode(forward, back, inputs, name, twice=True)
 
@@ -137,7 +144,7 @@ class _Way:
     def __init__(self, stepped: Any, whole: Callable[[Any], Given], moved: Any, parts: Sequence[Any]) -> None:
         self.stepped, self.whole, self.moved, self.parts = stepped, whole, moved, parts
         self.given = whole(moved)
-        # on the way back no step knows what those before it knew
+        # on the way back no step has the hints of those before it
         self.no_hint = jax.tree.map(jnp.zeros_like, self.given.hint)
 
     def one(self, moved: Any, k: Array, state: Array, lost: Array) -> Pair:
@@ -173,7 +180,7 @@ class _Way:
             reached = self._ahead(begin, jnp.where(cut, ahead, 0), state)
             tried, regained = self._go_back(now, jnp.where(cut, 0, length), state)
             gone = ~cut & (regained | (length <= 1))
-            shorter = jnp.max(jnp.where(length >= SHORTER * POWERS, POWERS, 1))
+            shorter = jnp.max(jnp.where(length >= LIMITS.min_shortening * POWERS, POWERS, 1))
             now = jax.tree.map(lambda new, old: jnp.where(gone, new, old), tried, now)
             count = saved.used + jnp.where(cut, 1, jnp.where(gone, -1, 0))
             place = jnp.where(cut, saved.used, PLACES)  # none of them where nothing is saved
@@ -215,7 +222,7 @@ class _Way:
 
         none = jnp.zeros(len(self.parts))
         gone, sizes, gaps = jax.lax.while_loop(unfinished, once, (now, none, none))
-        return gone, jnp.all(gaps <= REGAINED * sizes)
+        return gone, jnp.all(gaps <= LIMITS.tolerance * sizes)
 
     def _sizes(self, state: Array) -> Array:
         """Return the largest absolute value in each part of a state."""

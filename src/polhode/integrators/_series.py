@@ -17,24 +17,33 @@ from polhode.integrators._interrupts import keep_interrupts
 from polhode.integrators.probing import jumps_between
 from polhode.motion._outcome import Ends, Status
 from polhode.systems.base import AbstractSystem
+from polhode.taylor.advancing import LIMITS as ADVANCING
 from polhode.taylor.array_series import Place, runs_of_arrays
 from polhode.taylor.expressions import Untraceable
-from polhode.taylor.flight import MOST_STEPS
 from polhode.taylor.machine import build_machine, count_operations
-from polhode.taylor.runs import EXTENDED_LOCAL, LOCAL, Precision, Runs, choose_precision, run_copies
+from polhode.taylor.runs import Precision, Runs, choose_precision, finest_tolerance, run_copies
 from polhode.types import Array, Bool, Double, Float64
 
-LOWEST, HIGHEST = 4, 60  # orders
 PRECISIONS = "double", "extended"
-TOGETHER = 1 << 22  # numbers of samples, up to which runs for comparison are made side by side
-COMPARED = 64  # times at least, at which runs are compared, as they may meet by chance at a few samples
-ROUNDS = 6  # of shorter steps
-LARGEST = 20_000  # operations of the rates of change, beyond which tracing takes longer than what it may save
-SMALLEST = 1e-150  # state, and one over it the largest: beyond, products of its numbers vanish or overflow
-FINER, CLOSER = 4, 0.8  # orders more, and times the reach, of the run by which the error of the series is seen
-SAFETY = 4.0  # of the estimate, as a few other runs see most of what roundings grow to, not all
-LATE = 1.0, -1.0  # roundings of the time by which the runs from other starts pass borders and jumps too late
-FEWEST = 4.0  # roundings of the last step and of the sample itself
+
+
+class SeriesLimits(NamedTuple):
+    """Thresholds that refuse a series, choose its form, or bound its estimated error."""
+
+    min_order: int = 4
+    max_order: int = 60
+    max_operations: int = 20_000  # of the rates of change; tracing more takes longer than what it may save
+    min_size: float = 1e-150  # of a state, and one over it the largest: else products of its numbers vanish or overflow
+    max_numbers_together: int = 1 << 22  # of samples, up to which runs for comparison are made side by side
+    min_compared_times: int = 64  # as two runs may meet by chance at a few samples
+    max_rounds: int = 6  # of shorter steps, until a tolerance is met
+    extra_orders: int = 4  # of the run that shows the truncation error
+    reach_share: float = 0.8  # of that run
+    error_factor: float = 4.0  # as a few other runs show most of what roundings grow to, not all
+    min_error_roundings: float = 4.0  # of the last step and of the sample itself
+
+
+LIMITS = SeriesLimits()
 
 
 class NoSeries(InvalidInput):
@@ -58,17 +67,17 @@ class NoSeries(InvalidInput):
 class Taylor:
     """Taylor series of the motion, by steps that reach as far as the series converges fast.
 
-    Coefficients follow from recurrences in the operations that the rates of change are made of: sums, products, powers,
+    Coefficients follow from recurrences in the operations of which the rates of change consist: sums, products, powers,
     exponentials, logarithms, circular and hyperbolic functions. Rates with other functions are refused. A branch, as in
     an absolute value or a limit, is followed on the side where the state is, and a step ends where it comes to the
     other side; motions that go along such a border, or only touch it, are refused.
     Samples lie on the series, so that they cost and change no steps. After each step the state is put back onto
-    energy, Casimirs and what else the system says is conserved, where rounding has moved it away.
+    energy, Casimirs and the system's other conserved quantities, where rounding has moved it away.
 
     With extended precision a state has twice as many digits, and so have the first coefficients of its series, with all
-    numbers that are computed of the system's own, as one over a moment. Roundings do not add up then: a heavy top is
-    exact to 1e-15 after 1e5 seconds, where it is else off by 1e-11. A step takes some seven times as long, and rates
-    must be made of sums, products, and powers that are halves of whole numbers.
+    numbers that are computed from the system's own, such as one over a moment. Roundings do not add up then: a heavy
+    top is exact to 1e-15 after 1e5 seconds, and off by 1e-11 without it. A step takes some seven times as long, and
+    rates must be made of sums, products, and powers that are halves of whole numbers.
 
     Args:
         order: of the series; by default 24, 28 with extended precision, and lower where a tolerance is given.
@@ -84,8 +93,9 @@ class Taylor:
     precision: str = "double"
 
     def __post_init__(self) -> None:
-        if self.order is not None and not (isinstance(self.order, int) and LOWEST <= self.order <= HIGHEST):
-            raise InvalidInput(f"`order` of Taylor must be from {LOWEST} to {HIGHEST}; got {shown(self.order)}.")
+        lowest, highest = LIMITS.min_order, LIMITS.max_order
+        if self.order is not None and not (isinstance(self.order, int) and lowest <= self.order <= highest):
+            raise InvalidInput(f"`order` of Taylor must be from {lowest} to {highest}; got {shown(self.order)}.")
         if self.precision not in PRECISIONS:
             raise InvalidInput(
                 f"`precision` of Taylor must be one of {', '.join(PRECISIONS)}; got {shown(self.precision)}."
@@ -98,18 +108,18 @@ class Taylor:
 
 
 def is_series(method: Any) -> bool:
-    """Return whether a method is that of this file, as a class or an object."""
+    """Return whether a method is ``Taylor``, the class or an instance."""
     return method is Taylor or isinstance(method, Taylor)
 
 
 def has_short_series(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
-    """Return whether the rates of change at states (batch…, …) are of so few operations that series pay."""
-    return system.series_of_arrays or count_operations(system, _one(system, state)) <= LARGEST
+    """Return whether the rates of change at states (batch…, …) are of so few operations that series pay off."""
+    return system.series_of_arrays or count_operations(system, _one(system, state)) <= LIMITS.max_operations
 
 
 def goes_by_arrays(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
     """Return whether the system's series are of whole arrays; such a motion can be resumed to the same bits."""
-    return system.series_of_arrays or count_operations(system, _one(system, state)) > LARGEST
+    return system.series_of_arrays or count_operations(system, _one(system, state)) > LIMITS.max_operations
 
 
 def _one(system: AbstractSystem, state: Double[Array, "..."]) -> Array:
@@ -213,7 +223,7 @@ def solve_with_error(
 
 def _refine(times: Float64[np.ndarray, "time"]) -> tuple[Float64[np.ndarray, "more"], int]:
     """Return enough times for a comparison, and into how many parts each interval is divided."""
-    parts = max(1, math.ceil(COMPARED / (len(times) - 1)))
+    parts = max(1, math.ceil(LIMITS.min_compared_times / (len(times) - 1)))
     return np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1]), parts
 
 
@@ -223,21 +233,22 @@ def series_error(
 ) -> Float64[Array, "*batch"]:  # fmt: skip
     """Return the estimated error (batch…) of a motion, from further runs.
 
-    A run of higher order, with steps that are shorter, shows what series leave out. Two more from starts a rounding
-    away have other roundings all along, even where something else than the series makes the steps. What roundings grow
-    to, as beside a saddle, is the largest distance from the motion to any of the three. All come near to it by chance
-    at times: of 3,000 starts beside saddles one had an error of eight times the estimate. All are compared at many
-    times, which cost next to nothing.
+    A run of higher order, with shorter steps, shows the truncation error of the series. Two more runs, from starts a
+    rounding away, have other roundings throughout, even where something else than the series limits the steps. The
+    largest distance from the motion to any of the three is what roundings grow to, for instance beside a saddle. All
+    three may come near the motion by chance: of 3,000 starts beside saddles one had an error of eight times the
+    estimate. They are compared at many times, which cost next to nothing.
     """
     fine = _refine(times)[0]
     precision = choose_precision(tolerance, method.order, method.is_extended)
-    better = precision._replace(order=precision.order + FINER, reach=CLOSER * precision.reach)
+    order, reach = precision.order + LIMITS.extra_orders, LIMITS.reach_share * precision.reach
+    better = precision._replace(order=order, reach=reach)
     batch = np.shape(state)[: np.ndim(state) - system.state_axes]
     longest = math.inf if step is None else float(step)
 
     def again(starts: Sequence[Array], by: Precision, late: Sequence[float] = (0.0,)) -> list[Runs]:
         states = np.concatenate([np.reshape(np.asarray(x), (-1, *np.shape(x)[len(batch) :])) for x in starts])
-        if len(starts) > 1 and states.size * len(fine) > TOGETHER:
+        if len(starts) > 1 and states.size * len(fine) > LIMITS.max_numbers_together:
             return [run for start, each in zip(starts, late, strict=True) for run in again([start], by, [each])]
         try:
             each = np.repeat(late, copies) if any(late) else None
@@ -253,10 +264,11 @@ def series_error(
     first = _as_copies(motion, batch) if known else again([state], precision)[0]
     # roundings are not those of doubles with extended precision
     kicked = [] if method.is_extended else starts_a_rounding_away(system, state)
-    others = again([state, *kicked], better, [0.0, *LATE[: len(kicked)]])
+    # runs from the other starts pass borders and jumps a rounding of the time too late and too early
+    others = again([state, *kicked], better, [0.0, 1.0, -1.0][: 1 + len(kicked)])
     gaps, failed = zip(*(_apart(system, fine, first, other) for other in others), strict=True)
     off = np.max(gaps, axis=0)
-    error = np.where(off > LARGE, off, np.maximum(SAFETY * off, FEWEST * EPS))
+    error = np.where(off > LARGE, off, np.maximum(LIMITS.error_factor * off, LIMITS.min_error_roundings * EPS))
     return np.where(np.any(failed, axis=0), np.inf, error).reshape(batch)
 
 
@@ -270,15 +282,15 @@ def series_to_tolerance(
         NotConverged: if rounding alone makes more of it.
     """
     local, error, arguments = tolerance, np.inf, (system, method, state, times)
-    least = EXTENDED_LOCAL if method.is_extended else LOCAL
-    for k in range(ROUNDS):
+    least = finest_tolerance(method.is_extended)
+    for k in range(LIMITS.max_rounds):
         motion, errors = solve_with_error(*arguments, meter, step, local, every)
         if errors is None:
             return motion, np.full(motion.successful.shape, np.inf), local
         error = float(np.max(np.where(motion.successful, errors, 0.0), initial=0.0))
         if error <= tolerance:
             return motion, errors, local
-        if local == least or k == ROUNDS - 1:
+        if local == least or k == LIMITS.max_rounds - 1:
             break
         local = max(local * min(0.1 * tolerance / error, 0.1), least)
     raise NotConverged(
@@ -287,7 +299,7 @@ def series_to_tolerance(
     )
 
 
-class _Seen(NamedTuple):
+class _Compared(NamedTuple):
     """The fields of ``Runs`` that are compared."""
 
     states: Array
@@ -297,16 +309,16 @@ class _Seen(NamedTuple):
     steps: Array
 
 
-def _as_copies(motion: AdaptiveMotion, batch: tuple[int, ...]) -> _Seen:
+def _as_copies(motion: AdaptiveMotion, batch: tuple[int, ...]) -> _Compared:
     ends = motion.ends
     assert motion.steps_of_copies is not None
     copies = [np.reshape(x, (-1, *np.shape(x)[len(batch) :]))
               for x in (motion.states, ends.status, ends.event, ends.time, motion.steps_of_copies)]  # fmt: skip
-    return _Seen(*copies)
+    return _Compared(*copies)
 
 
 def _apart(
-    system: AbstractSystem, times: np.ndarray, one: Runs | _Seen, other: Runs
+    system: AbstractSystem, times: np.ndarray, one: Runs | _Compared, other: Runs
 ) -> tuple[Array, Array]:  # fmt: skip
     """Return how far runs are apart (C,) until either ends, and which of them failed."""
     distances, whole = np.zeros(len(one.states)), np.full(len(one.states), abs(times[-1] - times[0]))
@@ -366,7 +378,7 @@ def _run_or_refuse(
             raise _refuse(system, error, precision.extended) from None
         if meter is not None:
             meter.close(shown_state[0])
-    if (steps := int(runs.steps.max())) >= MOST_STEPS:
+    if (steps := int(runs.steps.max())) >= ADVANCING.max_steps:
         raise NotConverged(
             f"{steps:.1e} steps did not reach the last time, {last:g} s, and at most so many are taken. Give an "
             "earlier last time, which is `time.until` in a spec, or follow the motion in parts."
@@ -377,11 +389,11 @@ def _run_or_refuse(
 
 def check_sizes(states: Double[Array, "copies ..."]) -> None:
     """Refuse states (C, …) whose products vanish or overflow."""
-    sizes = np.abs(states).reshape(len(states), -1).max(axis=-1, initial=0.0)
-    wrong = (sizes > 0.0) & ((sizes < SMALLEST) | (sizes > 1.0 / SMALLEST))
+    sizes, smallest = np.abs(states).reshape(len(states), -1).max(axis=-1, initial=0.0), LIMITS.min_size
+    wrong = (sizes > 0.0) & ((sizes < smallest) | (sizes > 1.0 / smallest))
     if wrong.any():
         raise NoSeries(
-            f"`state` must be of a size within {SMALLEST:g} to {1.0 / SMALLEST:g} for Taylor, which multiplies its "
+            f"`state` must be of a size within {smallest:g} to {1.0 / smallest:g} for Taylor, which multiplies its "
             f"numbers; got {sizes[np.argmax(wrong)]:.3g}. Choose units in which it is nearer to one.",
             "its state is so large or small that products of its numbers overflow or vanish",
         )

@@ -9,7 +9,7 @@ Comput. 24 (2003) 1076.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
@@ -20,8 +20,15 @@ from polhode.systems.base import AbstractSystem
 from polhode.taylor.runs import Precision, run_copies, runs_back
 from polhode.types import Array, Bool, Float64
 
-PARTS = (1, 8, 64)  # of each time between samples, in which the motion is found again before it goes back
-CLOSE = 1e-10  # of the state's size, by which the way back may miss the motion
+
+class ReturnLimits(NamedTuple):
+    """How well the way back has to follow the motion, and between how many times at most it is corrected."""
+
+    max_miss: float = 1e-10  # of the state's size
+    parts: tuple[int, ...] = (1, 8, 64)  # of each interval between samples, tried one after the other
+
+
+LIMITS = ReturnLimits()
 
 
 class Returning(AbstractSystem):
@@ -51,11 +58,11 @@ def weights_back(
     motion: AbstractSystem, back: Returning, inputs: tuple[Array, Array, Array], times: Float64[np.ndarray, "time"],
     weights: Float64[Array, "copies time rows"], precision: Precision, longest: float,
 ) -> tuple[Float64[Array, "copies n"], Float64[Array, "copies m"], Bool[Array, "copies"]]:  # fmt: skip
-    """Return the weights of starts and numbers, from those of the states at times, and which of them are good.
+    """Return the weights of starts and numbers, from those of the states at times, and which of them are valid.
 
     Args:
         motion: of state, what balances receive, and numbers.
-        back: the same with weights.
+        back: ``motion`` with weights.
         inputs: starts (C, n), numbers (C, m) and sizes of the state's components (C, n).
         times: (T,) [s].
         weights: of state and of what balances received.
@@ -65,7 +72,7 @@ def weights_back(
     copies = len(weights)
     of_start, of_numbers = np.zeros((copies, n)), np.zeros((copies, count))
     good = np.zeros(copies, bool)
-    for parts in PARTS:
+    for parts in LIMITS.parts:
         left = np.flatnonzero(~good)
         if not left.size:
             break
@@ -82,7 +89,7 @@ def weights_back(
         scales[:, :n] = sizes
         with np.errstate(invalid="ignore"):
             ends, missed = runs_back(back, known, kicks, fine, precision, longest, scales)
-        near = missed <= CLOSE
+        near = missed <= LIMITS.max_miss
         good[left] = near
         of_start[left], of_numbers[left] = ends[:, n : 2 * n], ends[:, 2 * n + received + count :]
     return of_start, of_numbers, good

@@ -1,7 +1,7 @@
 """A motion by Taylor series as a function of arrays, with derivatives by its start and by the system's numbers.
 
-These numbers stand beside the state and do not move, so that what is traced once serves all of their values. Tangents
-go along with the motion by the same recurrences, all in one run or few; gradients come back by the adjoint equations.
+These numbers are components beside the state that do not move, so that one trace serves all of their values. Tangents
+are integrated with the motion by its recurrences, all in one run or few; gradients by the adjoint equations.
 """
 
 from __future__ import annotations
@@ -27,9 +27,16 @@ from polhode.taylor.runs import Precision, run_copies
 from polhode.taylor.structure import Structure
 from polhode.types import Array, Bool, Float64, Integer
 
-TOGETHER = 13  # tangents that go along with one run
-FEW = 4  # directions: up to so many take a run each, more take the Jacobian
-SAMPLES = 64  # at which it takes as long to come back as so many tangents take
+
+class DerivativeLimits(NamedTuple):
+    """Which way to derivatives takes the least time."""
+
+    tangents_together: int = 13  # in one run
+    max_directions: int = 4  # for each state, which take a run each; more take the Jacobian
+    max_samples: int = 64  # to each run of tangents: with more, going back takes longer than the Jacobian
+
+
+LIMITS = DerivativeLimits()
 
 
 class Skeleton(NamedTuple):
@@ -138,7 +145,8 @@ class Motion:
         self.plain, self.count, self.precision, self.longest = plain, count, precision, longest
         self.n, self.m, self.rows, self.inputs = n, m, plain.rows, (n, count, m, n)
         # some at a time, which is a little faster than all at once
-        ranges = [range(low, min(low + TOGETHER, n + m)) for low in range(0, n + m, TOGETHER)]
+        width = LIMITS.tangents_together
+        ranges = [range(low, min(low + width, n + m)) for low in range(0, n + m, width)]
         self.varied = [Sensitive(plain.skeleton, some) for some in ranges]
         self.directed, self.back = Directed(plain.flow, sizes), Returning(plain.flow, sizes)
         # traced now, as JAX must not be called from within its own computations
@@ -149,7 +157,7 @@ class Motion:
             self.comes_back = _is_traced(self.back, self.n + self.rows + 2 * m)
 
     def operation(self) -> Elementwise:
-        """Return the operation of JAX: what moved at the times, whether it failed, steps."""
+        """Return the JAX operation for the moving numbers at the times, whether the run failed, and its steps."""
         outputs = ((self.count * self.rows,), float), ((), np.int64), ((), np.int64)
         inputs = tuple((size,) for size in self.inputs)
         derivatives = (self.jacobian, Ways(self.ahead, self.weights_of)) if self.has_derivatives else (None, None)
@@ -157,12 +165,12 @@ class Motion:
                            on_host=True)  # fmt: skip
 
     def values(self, *arguments: Array) -> tuple[Any, ...]:
-        """Return what the operation gives."""
+        """Return the values of the operation."""
         runs = self.run(self.plain, arguments, np.zeros(0))
         return _flat(runs.states[..., : self.rows]), runs.failed, runs.steps
 
     def jacobian(self, *arguments: Array) -> tuple[tuple[Any, ...], Float64[Array, "*batch moved given"]]:
-        """Return the same, and the derivatives of what moved."""
+        """Return ``values``, and the derivatives of the moving numbers."""
         n, m, rows, count = self.n, self.m, self.rows, self.count
         every = np.eye(n + m, rows)
         every[n:] = 0.0
@@ -176,10 +184,10 @@ class Motion:
         return (_flat(runs[0].states[..., :rows]), runs[0].failed, runs[0].steps), columns
 
     def ahead(self, *arguments: Array) -> tuple[Float64[Array, "*batch moved"]]:
-        """Return changes of what moved, by arguments and changes of each; times and sizes do not change."""
+        """Return the tangents of the moving numbers, from the arguments and theirs; times and sizes have none."""
         primals, changes = arguments[:4], arguments[4:]
         own, asked = _batch(primals), _batch(arguments)
-        if math.prod(asked) > FEW * math.prod(own):
+        if math.prod(asked) > LIMITS.max_directions * math.prod(own):
             moved = np.concatenate([np.broadcast_to(x, (*asked, x.shape[-1])) for x in changes], axis=-1)
             return (np.einsum("...mn,...n->...m", self.jacobian(*primals)[1], moved),)
         of_start, of_numbers = (np.broadcast_to(x, (*asked, x.shape[-1])) for x in (changes[0], changes[2]))
@@ -188,10 +196,10 @@ class Motion:
         return (_flat(runs.states[..., self.rows + self.m : 2 * self.rows + self.m]),)
 
     def weights_of(self, *arguments: Array) -> tuple[Float64[Array, "..."], ...]:
-        """Return weights of the arguments, by those and weights of what moved; times and sizes have none."""
+        """Return the weights of the arguments, from those of the moving numbers; times and sizes have none."""
         primals, weights = arguments[:4], arguments[4]
         own, asked = _batch(primals), _batch(arguments)
-        many = self.count - 1 > SAMPLES * len(self.varied)
+        many = self.count - 1 > LIMITS.max_samples * len(self.varied)
         if many or not self.comes_back or math.prod(asked) > math.prod(own):
             return self._by_columns(primals, weights)
         start, late, numbers, scales, weights = (

@@ -26,8 +26,6 @@ from polhode.systems._agreement import check_generated
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, ArrayOrFloat, Double, Float64
 
-BESIDE = 2e-15  # of a time, by which stages stay beside a jump
-
 
 class AbstractOrbitSolver(diffrax.AbstractSolver):
     """A one-step method for Lie–Poisson systems.
@@ -83,9 +81,9 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
         jumps = jnp.asarray(self.system.jumps, float)
         if not jumps.size:
             return None
-        middle = t + 0.5 * h
-        low = jnp.max(jnp.where(jumps <= middle, jumps + BESIDE * jnp.abs(jumps), -jnp.inf))
-        high = jnp.min(jnp.where(jumps > middle, jumps - BESIDE * jnp.abs(jumps), jnp.inf))
+        middle, rounding = t + 0.5 * h, 2e-15  # of a time
+        low = jnp.max(jnp.where(jumps <= middle, jumps + rounding * jnp.abs(jumps), -jnp.inf))
+        high = jnp.min(jnp.where(jumps > middle, jumps - rounding * jnp.abs(jumps), jnp.inf))
         return lambda time: jnp.clip(time, low, high)
 
     def advance(

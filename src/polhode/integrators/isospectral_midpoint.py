@@ -16,12 +16,11 @@ from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Double, Float64, Integer
 
 EXTRAPOLATION = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (2.0, -1.0, 0.0), (3.0, -3.0, 1.0))
-"""Weights of past values, the last first, by how many are known: none, constant, linear, quadratic."""
-KNOWN = 3
+"""Weights of past values, the last first, by how many there are: none, constant, linear, quadratic."""
 
 
 class Past(NamedTuple):
-    """(W̃ − W)/h of the last steps (stages, 3, …), the last first, and how many of them are known (stages,)."""
+    """(W̃ − W)/h of the last steps (stages, 3, …), the last first, and how many of them there are (stages,)."""
 
     rates: Double[Array, "..."]
     known: Integer[Array, "..."]
@@ -33,7 +32,7 @@ class IsospectralMidpoint(AbstractOrbitSolver):
     W₀ = (1 − y) W̃ (1 + y) and W₁ = (1 + y) W̃ (1 − y) have one spectrum. For matrices of quadratic groups, so(n),
     so(p, q), u(n), su(n), sp(n), and dual numbers over them; symplectic on the orbit.
 
-    W̃ is found by iteration to rounding, with two products of matrices an iteration, from W̃ − W of the last three
+    W̃ is computed by iteration to rounding, with two products of matrices an iteration, from W̃ − W of the last three
     steps, extrapolated. That converges for steps in which the fastest rotation turns by less than about 1.5 rad: with
     some 7 iterations at 1/4 rad, 10 at 1/2, 14 at 1. Where it does not, W̃ follows from y by two linear systems an
     iteration, which take longer and converge for longer steps where ξ changes little.
@@ -66,7 +65,7 @@ class IsospectralMidpoint(AbstractOrbitSolver):
 
     def no_hint(self, state: Double[Array, "..."]) -> Past:
         count = len(stages(self.own_order))
-        return Past(jnp.zeros((count, KNOWN, *jnp.shape(state)), state.dtype), jnp.zeros(count, int))
+        return Past(jnp.zeros((count, len(EXTRAPOLATION[0]), *jnp.shape(state)), state.dtype), jnp.zeros(count, int))
 
     def _stage(self, t: Array, h: Array, state: Array, past: Past) -> tuple[Change, Past]:
         algebra: Any = self.system.algebra
@@ -94,7 +93,7 @@ class IsospectralMidpoint(AbstractOrbitSolver):
         solution = fixed_point(solve_change, commutator + rest, scale, quick=by_products)
         change = Change(2.0 * terms(solution.value)[1], solution.iterations + 2, solution.converged)
         rates = jnp.concatenate([(solution.value / h)[None], past.rates[:-1]])
-        return change, Past(rates, jnp.minimum(past.known + 1, KNOWN))
+        return change, Past(rates, jnp.minimum(past.known + 1, len(EXTRAPOLATION[0])))
 
 
 def has_cayley_terms(system: AbstractLiePoissonSystem) -> bool:

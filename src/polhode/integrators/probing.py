@@ -3,8 +3,8 @@
 Steps of a body that hardly moves are as long as the samples are apart, and none of their stages need lie in a pulse.
 So rates that depend on time by themselves are evaluated at many times, partly random, at a fixed state. Where they
 stay, and then change, is a place at which a step has to end: a jump is bisected to a rounding of its time, and a smooth
-pulse gets places at its beginning, inside and at its end. What passes between two trials is not found; ``jumps`` of the
-system names it.
+pulse gets places at its beginning, inside and at its end. What passes between two trials is missed;
+``jumps`` of the system can name it.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from __future__ import annotations
 import dataclasses
 import warnings
 from functools import cache
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import equinox as eqx
 import jax
@@ -28,23 +28,27 @@ from polhode.systems._forms import FURTHER, rates_of_change
 from polhode.systems.base import AbstractSystem
 from polhode.types import Array, ArrayLike, Bool, Double, Float64, Integer
 
-TRIALS = 1 << 17  # times that are tried
-NUMBERS = 1 << 23  # evaluated at most, times by components
-TOGETHER = 512  # times evaluated in one call; any other number of them would be compiled anew
-STILL = 1e-13  # of the largest rate: changes below it are rounding
-MANY, ROUGH = 256, 1e-6  # edges, and changes against the largest rate: so many that are so small may be rounding
-DENSE = 0.1  # of the trials between the first and the last: rounding changes that many of them, and switches do not
-CLEAR = 64.0  # times the usual change by rounding, from which on a change is none of it
-ABOVE = 8.0  # of the usual change between two trials, from which on something acts
-INNER = np.array([0.25, 0.5, 0.75])  # places within a smooth change
-INSIDE = len(INNER)  # cells between trials that it must have for them
-MOST = 1 << 14  # beginnings and ends at which steps are made to end; of more a warning tells
-COPIES = 8  # of a batch that are tried: the first by all trials, the others by as many together
-BISECTIONS = 60
-BESIDE = 4.0 * float(np.finfo(float).eps)  # of a time, within which bisection ends at a jump
-SHIFT = 0.25  # of the time between two trials, by which each is moved at most
-REMEMBERED = 256  # systems
 
+class ProbingLimits(NamedTuple):
+    """Bounds of the search, and thresholds from which on a change of rates counts as an action."""
+
+    trials: int = 1 << 17  # times tried of the first copy of a batch, and as many of the others together
+    max_values: int = 1 << 23  # evaluated for one copy, times by components
+    max_copies: int = 8  # of a batch that are tried
+    max_edges: int = 1 << 14  # beginnings and ends at which steps are made to end; a warning reports more
+    relative_rounding: float = 1e-13  # of the largest rate: smaller changes are rounding
+    activity_factor: float = 8.0  # times the usual change between two trials: larger ones are an action
+    # rates that are small differences of large terms have the rounding of these: changes that are so many, so dense
+    # between the first and the last, and so small against the largest rate, may be that; so much larger ones are not
+    max_sparse_edges: int = 256
+    max_sparse_share: float = 0.1
+    max_rough_change: float = 1e-6
+    roughness_factor: float = 64.0
+    time_rounding: float = 4.0 * float(np.finfo(float).eps)  # of a time, within which bisection ends at a jump
+
+
+LIMITS = ProbingLimits()
+INNER = np.array([0.25, 0.5, 0.75])  # places within a smooth change
 
 System = TypeVar("System", bound=AbstractSystem)
 _driven: dict[Any, bool] = {}
@@ -73,9 +77,10 @@ def depends_on_time(system: AbstractSystem, state: Double[Array, "..."]) -> bool
     shape = jax.ShapeDtypeStruct(jnp.shape(state), jnp.result_type(state))
     leaves, tree = jax.tree.flatten(system)
     key = (type(system), tree, shape, *((x.shape, x.dtype) if eqx.is_array(x) else x for x in leaves))
+    systems_kept = 256
     try:
         if key not in _driven:
-            if len(_driven) > REMEMBERED:
+            if len(_driven) > systems_kept:
                 _driven.clear()
             _driven[key] = _uses_time(system, shape)
         return _driven[key]
@@ -96,11 +101,11 @@ def _uses_time(system: AbstractSystem, shape: Any) -> bool:
 
 def find_undeclared_jumps(
     system: AbstractSystem, state: Double[Array, "..."], times: Float64[np.ndarray, "time"]
-) -> Float64[np.ndarray, "found"]:
+) -> Float64[np.ndarray, "jumps"]:
     """Return times [s] between the first and the last at which steps have to end, beside the system's own ``jumps``.
 
     Args:
-        system: what moves.
+        system: whose rates are tried.
         state: packed (batch…, …), at which rates are tried: up to eight copies of a batch, spread over it.
         times: (T,) [s], in one direction.
 
@@ -111,17 +116,17 @@ def find_undeclared_jumps(
     copies = np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))
     ends = np.asarray(times, dtype=float)[[0, -1]]
     chosen = _choose_copies(len(copies))
-    found = _together(ends, [_changes(system, copies[[k]], ends, trials) for k, trials in chosen], warned=True)
-    return _without_named(system, ends, found)
+    jumps = _together(ends, [_changes(system, copies[[k]], ends, trials) for k, trials in chosen], warned=True)
+    return _without_named(system, ends, jumps)
 
 
 def jumps_along(
     system: AbstractSystem, states: Double[np.ndarray, "..."], times: Float64[np.ndarray, "time"]
-) -> Float64[np.ndarray, "found"]:
+) -> Float64[np.ndarray, "jumps"]:
     """Return jumps as ``find_undeclared_jumps`` does, tried at the states of a motion, each up to the next time.
 
     Args:
-        system: what moves.
+        system: whose rates are tried.
         states: (batch…, T, …), of which up to eight copies count, each up to its end.
         times: (T,) [s], in one direction.
     """
@@ -137,21 +142,21 @@ def jumps_along(
 
 
 def _without_named(
-    system: AbstractSystem, times: Float64[np.ndarray, "time"], found: Float64[np.ndarray, "found"]
+    system: AbstractSystem, times: Float64[np.ndarray, "time"], jumps: Float64[np.ndarray, "jumps"]
 ) -> Float64[np.ndarray, "further"]:
-    """Return those of the jumps found that the system does not name: bisection may end a rounding beside these."""
+    """Return those of the detected jumps that the system does not name: bisection may end a rounding beside these."""
     named = jumps_between(times, system.jumps)
-    if not len(named) or not len(found):
-        return found
-    place = np.searchsorted(named, found)
+    if not len(named) or not len(jumps):
+        return jumps
+    place = np.searchsorted(named, jumps)
     near = np.stack([named[np.maximum(place - 1, 0)], named[np.minimum(place, len(named) - 1)]])
-    return found[np.abs(near - found).min(axis=0) > BESIDE * np.abs(found)]
+    return jumps[np.abs(near - jumps).min(axis=0) > LIMITS.time_rounding * np.abs(jumps)]
 
 
 def _choose_copies(copies: int) -> list[tuple[int, int]]:
     """Return which copies of a batch are tried, and at how many times each."""
-    chosen = np.unique(np.linspace(0, copies - 1, min(copies, COPIES)).round().astype(int))
-    return [(int(k), TRIALS if k == 0 else TRIALS // (len(chosen) - 1)) for k in chosen]
+    chosen = np.unique(np.linspace(0, copies - 1, min(copies, LIMITS.max_copies)).round().astype(int))
+    return [(int(k), LIMITS.trials if k == 0 else LIMITS.trials // (len(chosen) - 1)) for k in chosen]
 
 
 def _together(
@@ -171,7 +176,7 @@ def _together(
 
 def _changes(
     system: AbstractSystem, states: Double[np.ndarray, "..."], times: np.ndarray, trials: int
-) -> Float64[np.ndarray, "found"] | int:
+) -> Float64[np.ndarray, "jumps"] | int:
     """Return where rates change with time at states (T − 1, …), each from one of the times (T,) up to the next.
 
     Where there are too many such places it is their number.
@@ -179,36 +184,38 @@ def _changes(
     if not depends_on_time(system, jnp.asarray(states[0])):
         return np.zeros(0)
     spans = len(times) - 1
-    each = int(np.clip(min(NUMBERS // max(np.size(states[0]), 1), trials) // spans, 2, TRIALS))
+    each = int(np.clip(min(LIMITS.max_values // max(np.size(states[0]), 1), trials) // spans, 2, LIMITS.trials))
     tried = np.linspace(times[:-1], times[1:], each + 1, axis=-1)
     # at random places, as what switches at the rate of equal trials would look the same at all of them
-    shifts = np.random.default_rng(0).uniform(-SHIFT, SHIFT, (spans, each - 1))
+    shifts = np.random.default_rng(0).uniform(-0.25, 0.25, (spans, each - 1))
     tried[:, 1:-1] += shifts * (np.diff(times)[:, None] / each)
     rates, which = _Rates(system, np.asarray(states)), np.repeat(np.arange(spans), each)
     values = rates(np.ravel(tried), np.repeat(np.arange(spans), each + 1)).reshape(spans, each + 1, -1)
     low, high = np.ravel(tried[:, :-1]), np.ravel(tried[:, 1:])
     size = np.max(np.abs(values), initial=0.0, where=np.isfinite(values))
-    # of equal times, or smooth changes about the least one would be seen and unseen by turns
+    # of equal times, or smooth changes about the least one would be caught and missed by turns
     longer = np.abs(np.diff(tried, axis=1)) * (each / np.abs(np.diff(times))[:, None])
     changes = np.ravel(np.nan_to_num(np.abs(np.diff(values, axis=1)).max(axis=-1), nan=size) / longer)
-    least, usual = STILL * size, float(np.median(changes))
-    # what moves all the time is seen by every step; there only what stands out from its surroundings jumps
+    least, usual = LIMITS.relative_rounding * size, float(np.median(changes))
+    # every step resolves what moves all the time; there only what rises above its surroundings jumps
     beside = np.maximum(np.roll(changes, 2), np.roll(changes, -2))
-    acts = changes > (np.maximum(least, ABOVE * np.maximum(usual, beside)) if usual > least else least)
+    risen = LIMITS.activity_factor * np.maximum(usual, beside)
+    acts = changes > (np.maximum(least, risen) if usual > least else least)
     edges = _edges(acts)
-    if len(edges) > MANY and acts.sum() > DENSE * (edges[-1] - edges[0]):
+    if len(edges) > LIMITS.max_sparse_edges and acts.sum() > LIMITS.max_sparse_share * (edges[-1] - edges[0]):
         little = float(np.median(changes[acts]))
-        if little < ROUGH * size:  # rates that are small differences of large terms have the rounding of these
-            acts &= changes > CLEAR * little
+        if little < LIMITS.max_rough_change * size:
+            acts &= changes > LIMITS.roughness_factor * little
             edges = _edges(acts)
     begins, ends = edges[::2], edges[1::2] - 1  # first and last cell of each run in which something acts
-    if len(edges) > MOST:
+    if len(edges) > LIMITS.max_edges:
         return len(begins)
     if not len(begins):
         return np.zeros(0)
-    # a jump lies in the first or the last cell of such a run, or stands out inside it
-    cells = np.unique(np.concatenate([begins, ends, np.flatnonzero(acts & (changes > ABOVE * beside))]))
-    long = ends - begins >= INSIDE
+    # a jump lies in the first or the last cell of such a run, or rises above its surroundings inside it
+    alone = np.flatnonzero(acts & (changes > LIMITS.activity_factor * beside))
+    cells = np.unique(np.concatenate([begins, ends, alone]))
+    long = ends - begins >= len(INNER)
     inside = low[begins[long]] + INNER[:, None] * (high[ends[long]] - low[begins[long]])
     jumps = [_bisect(rates, low[cells], high[cells], which[cells]), low[begins], high[ends], np.ravel(inside)]
     return jumps_between(times, np.concatenate(jumps))
@@ -230,10 +237,10 @@ class _Rates:
 
     def __call__(self, times: Float64[np.ndarray, "n"], which: Array) -> Float64[np.ndarray, "n components"]:
         """Return the rates at times, each at one of the states."""
-        count = len(times)
-        more = -count % TOGETHER
-        rows = np.append(times, np.full(more, times[-1])).reshape(-1, TOGETHER)
-        at = np.append(which, np.full(more, which[-1])).reshape(-1, TOGETHER)
+        count, together = len(times), 512  # of any other number each call would be compiled anew
+        more = -count % together
+        rows = np.append(times, np.full(more, times[-1])).reshape(-1, together)
+        at = np.append(which, np.full(more, which[-1])).reshape(-1, together)
         rates = [np.asarray(_evaluate(self.system, self.states[k], t)) for t, k in zip(rows, at, strict=True)]
         return np.concatenate(rates)[:count] / self.sizes
 
@@ -248,7 +255,7 @@ def _evaluate(system: AbstractSystem, states: Array, times: Array) -> Array:
 def _bisect(rates: _Rates, low: np.ndarray, high: np.ndarray, which: np.ndarray) -> np.ndarray:
     """Return where between two times each the larger part of the change is, to a rounding: the time behind it."""
     at_low, at_high = rates(low, which), rates(high, which)
-    for _ in range(BISECTIONS):
+    for _ in range(60):  # a double has 53 bits
         middle = low + 0.5 * (high - low)
         value = rates(middle, which)
         before = np.abs(value - at_low).max(axis=-1) > np.abs(at_high - value).max(axis=-1)
@@ -260,7 +267,7 @@ def _bisect(rates: _Rates, low: np.ndarray, high: np.ndarray, which: np.ndarray)
 
 
 def name_jumps(system: System, jumps: Float64[np.ndarray, "jumps"]) -> System:
-    """Return a system that moves alike and names these jumps beside its own; itself if there are none."""
+    """Return a system with equal rates that names these jumps beside its own; the system itself if there are none."""
     if not len(jumps):
         return system
     kind, fields = type(system), {field.name: getattr(system, field.name) for field in dataclasses.fields(system)}

@@ -17,8 +17,6 @@ from polhode.systems._agreement import has_own_flows
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick, Round, components
 from polhode.types import Array, Double, Float64
 
-MOST_UNROLLED = 3  # rounds; more are a loop, as what is compiled for 32 vortices one after another takes a minute
-
 
 class Splitting(AbstractOrbitSolver):
     """The system's exact flows in a symmetric product, composed to order 2, 4, 6 or 8; explicit.
@@ -66,7 +64,8 @@ class Splitting(AbstractOrbitSolver):
         if len(flows) == 2 and isinstance(flows[0], Kick) and self.own_order in NYSTROM:
             return _kicks_and_drifts(flows[0], flows[1], self.own_order, h, state)
         rounds = [flow for flow in flows if isinstance(flow, Round)]
-        if MOST_UNROLLED < len(rounds) == len(flows):
+        # more than three are a loop, as 32 vortices one after another take a minute to compile
+        if 3 < len(rounds) == len(flows):
             return compose(partial(_rounds, rounds[0].flow, len(rounds)), self.own_order, t, h, state)
         parts = [(flow, 0.5) for flow in flows[:-1]]
         parts = [*parts, (flows[-1], 1.0), *parts[::-1]]

@@ -21,7 +21,7 @@ from polhode._base.arrays.steps import split_scan
 from polhode._base.jax_inner import Literal
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.jaxprs import INNER
-from polhode.taylor.kernel_series import MOST_ANGLE, MOST_EXPONENT
+from polhode.taylor.kernel_series import MAX_ANGLE_CHANGE, MAX_EXPONENT_CHANGE
 from polhode.taylor.operations import squared_secant
 from polhode.types import Array, Shaped
 
@@ -116,8 +116,8 @@ def bound_of_argument(step: Step) -> float | None:
     name = step.equation.primitive.name
     if step.rule is None or (name == "pow" and isinstance(step.rule, _WholePower)):
         return None
-    bounds = {"exp": MOST_EXPONENT, "expm1": MOST_EXPONENT, "tanh": 0.5 * MOST_EXPONENT, "sin": MOST_ANGLE,
-              "cos": MOST_ANGLE}  # fmt: skip
+    bounds = {"exp": MAX_EXPONENT_CHANGE, "expm1": MAX_EXPONENT_CHANGE, "tanh": 0.5 * MAX_EXPONENT_CHANGE,
+              "sin": MAX_ANGLE_CHANGE, "cos": MAX_ANGLE_CHANGE}  # fmt: skip
     return bounds.get(name, 0.0 if name in ("log", "sqrt", "rsqrt", "cbrt", "pow") else None)
 
 
@@ -284,7 +284,7 @@ def _power(p: float) -> Callable[..., Any]:
     """Powers: u = xᵖ, k x₀ uₖ = Σ (p (k − j) − j) uⱼ x₍ₖ₋ⱼ₎."""
 
     def make(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
-        if float(p).is_integer() and 0 < p <= MOST_FACTORS:
+        if float(p).is_integer() and 0 < p <= 8:  # by products
             return _WholePower(int(p))
 
         def rule(arguments: list[Any], own: list[Series], k: Any) -> list[Array]:
@@ -296,9 +296,6 @@ def _power(p: float) -> Callable[..., Any]:
         return rule
 
     return make
-
-
-MOST_FACTORS = 8
 
 
 def _read_exponent(value: Any) -> float:

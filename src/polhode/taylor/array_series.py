@@ -22,20 +22,23 @@ from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.array_rules import Affine, Unrolled, add_order, bind, bound_of_argument, is_first
 from polhode.taylor.expressions import Untraceable
-from polhode.taylor.kernel_series import LEFT_OF_ROOT
+from polhode.taylor.kernel_series import ROOT_SHARE_LEFT
 from polhode.taylor.runs import Precision, Runs
 from polhode.types import Array, ArrayOrFloat, Double, Float64
 
-FLOOR = 1e-3  # of the scale: a motion that dies away is computed to this part of its first size
-FAR = 256.0  # units: a longer step may be of coefficients that vanished
-UNITS = 100  # of time that are tried
-BITS = 20  # of the length of a step
-SHORTEST = 4e-16  # of the present time: shorter steps do not advance
-LARGE = 512  # numbers of a state: for fewer, XLA's optimizations take longer than ten thousand steps gain
+
+class ArrayLimits(NamedTuple):
+    """Thresholds of steps by whole arrays."""
+
+    min_relative_step: float = 4e-16  # of the present time: shorter steps do not advance
+    min_optimized_size: int = 512  # of a state: for fewer numbers, XLA optimizes longer than ten thousand steps gain
+
+
+LIMITS = ArrayLimits()
 
 
 class Place(NamedTuple):
-    """Where a motion stands at the beginning of a step, from which it goes on to the same bits.
+    """The beginning of a step, from which a motion resumes bit for bit.
 
     Attributes:
         time: [s].
@@ -69,7 +72,7 @@ def runs_of_arrays(
     precision: Precision, longest: float = math.inf, check: Callable[[float], None] = lambda share: None,
     place: Place | None = None,
 ) -> tuple[Runs, Place]:  # fmt: skip
-    """Return what ``run_copies`` does, one copy after the other, and the beginning of the last copy's last step.
+    """Return ``Runs`` as ``run_copies`` does, one copy after the other, and the beginning of the last copy's last step.
 
     Raises:
         Untraceable: for rates made of operations that have no rule, events, jumps, balances, or extended precision.
@@ -111,7 +114,7 @@ def coefficients(
 def _coefficients_and_changes(
     system: AbstractSystem, state: Array, t: Float64[ArrayOrFloat, ""], unit: Float64[ArrayOrFloat, ""], order: int
 ) -> tuple[Array, Array]:  # fmt: skip
-    write = _write_quickly if np.size(state) < LARGE else _write_thoroughly
+    write = _write_quickly if np.size(state) < LIMITS.min_optimized_size else _write_thoroughly
     return write(system, state, t, unit, order)
 
 
@@ -173,15 +176,15 @@ class _Recurrence:
 
         The k-th of an argument's row is of its coefficient of order k; see ``kernel_series.bound_change``.
         """
-        found = []
+        bounds = []
         for step in self.unrolled.steps:
             bound = bound_of_argument(step)
             if bound is not None:
                 series = self.series[step.arguments[0]]
                 sizes = jnp.abs(jnp.stack(series[:order]) if isinstance(series, list) else series[:order])
-                most = bound or (1.0 - LEFT_OF_ROOT) * sizes[0]
-                found.append(jnp.max((sizes / most).reshape(order, -1), axis=1).at[0].set(0.0))
-        return jnp.stack(found) if found else jnp.zeros((0, order))
+                most = bound or (1.0 - ROOT_SHARE_LEFT) * sizes[0]
+                bounds.append(jnp.max((sizes / most).reshape(order, -1), axis=1).at[0].set(0.0))
+        return jnp.stack(bounds) if bounds else jnp.zeros((0, order))
 
     def advance(self, k: Any) -> None:
         """Compute the coefficients of an order, and those of the state of the next one."""
@@ -216,13 +219,13 @@ def run_arrays(
     """Return the motion of one state at times, which need not be the ends of steps.
 
     Args:
-        system: what moves, without jumps.
+        system: without jumps.
         state: at the first time.
         times: (T,) [s], in one direction.
         order, reach: of the series, and of a step in radii of convergence.
         longest: step [s].
         scale: sizes of the components.
-        check: called with the share that is done.
+        check: called with the completed share.
         place: of an earlier run that ended at this start, which then goes on as if it had not been interrupted.
 
     Raises:
@@ -239,7 +242,7 @@ def run_arrays(
         h = min(h, longest)
         h = _short(_bound_changes(changes, min(h, left), unit) if len(changes) else h)
         later = now.time + forth * h
-        if not h > SHORTEST * abs(now.time):
+        if not h > LIMITS.min_relative_step * abs(now.time):
             return ArrayRun(states, math.nan, steps, now)
         steps += 1
         while sample < len(times) and forth * times[sample] <= forth * later:
@@ -254,19 +257,21 @@ def run_arrays(
 def _fit_series(
     system: AbstractSystem, now: Place, forth: float, order: int, reach: float, left: float, scale: Any
 ) -> tuple[Array, Array, float, float]:
-    """Return coefficients and ``changes`` by a unit of time that fits them, the unit, and the length of a step [s]."""
+    """Return coefficients and ``changes`` in a unit of time that fits them, the unit, and the length of a step [s]."""
     unit, lowered, series, changes, length = now.unit, False, np.zeros(0), np.zeros(0), math.nan
-    for _ in range(UNITS):
+    floor = 1e-3  # of the scale: a motion that dies away is computed to this part of its first size
+    far = 256.0  # units: a longer step may be of coefficients that vanished
+    for _ in range(100):
         times = np.float64(now.time), np.float64(forth * unit)
         series, changes = map(np.asarray, _coefficients_and_changes(system, now.state, *times, order))
         with np.errstate(all="ignore"):
             sizes = np.array([np.max(np.abs(series[k]) / scale) for k in (0, order - 2, order - 1, order)])
-            start, lasts = max(float(sizes[0]), FLOOR), sizes[1:]
+            start, lasts = max(float(sizes[0]), floor), sizes[1:]
             radii = (start / lasts) ** (1.0 / np.arange(order - 2, order + 1))
         length = reach * float(np.min(radii)) if np.isfinite(sizes).all() else math.nan
         if not length >= 0.0 and unit > 1e-280:
             unit, lowered = unit * 2.0**-8, True
-        elif length > FAR and unit < left and not lowered:
+        elif length > far and unit < left and not lowered:
             unit = min(unit * 2.0**16, 2.0 * _power_of_two(left))
         else:
             break
@@ -292,7 +297,7 @@ def _at(series: Array, h: float) -> Array:
 
 def _short(h: float) -> float:
     """Return the step rounded down to a few bits, so that times of steps add up without rounding from any start."""
-    grain = _power_of_two(h) * 2.0**-BITS
+    grain = _power_of_two(h) * 2.0**-20
     return math.floor(h / grain) * grain if math.isfinite(h) and h > 0.0 else h
 
 

@@ -13,14 +13,21 @@ import math
 import operator
 from collections.abc import Callable, Iterable
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from polhode.taylor.operations import ALONG, COMPANIONS, IN_ORBIT, Node, Operation, value_of
 from polhode.types import Array, Bool
 
-MOST_NODES = 40_000  # of a tape; larger fields are better stepped by operations on whole arrays
+
+class TapeLimits(NamedTuple):
+    """The size of a tape."""
+
+    max_nodes: int = 40_000  # larger fields are better stepped by operations on whole arrays
+
+
+LIMITS = TapeLimits()
 
 
 class Untraceable(Exception):
@@ -49,7 +56,7 @@ class Tape:
         self.values: dict[int, float] = {}  # of components that do not move
         self.looked_at: set[int] = set()  # of these, where an operation takes the number itself
         self.sides: Any = None  # ``sides.Sides``, where branches on what moves are taken
-        self.kept: dict[float, int] | None = None  # places of numbers that stand on the tape and are not computed with
+        self.kept: dict[float, int] | None = None  # places of numbers that are on the tape and not computed with
         self.rounded = False  # whether numbers were computed with in spite of that, and rounded
         self._known: dict[Node, int] = {}
 
@@ -126,8 +133,8 @@ class Tape:
     def node(self, node: Node) -> int:
         """Return the number of a node, a new one if there is none like it."""
         if node not in self._known:
-            if len(self.nodes) >= MOST_NODES:
-                raise Untraceable(f"more than {MOST_NODES} operations")
+            if len(self.nodes) >= LIMITS.max_nodes:
+                raise Untraceable(f"more than {LIMITS.max_nodes} operations")
             self.nodes.append(node)
             self._known[node] = self.size + len(self.nodes) - 1
         return self._known[node]
@@ -260,7 +267,7 @@ def _slopes(tape: Tape, place: int, node: Node) -> list[tuple[int, Any]]:
             return [(node.arguments[0], -z[1])]
         case Operation.TANH:
             return [(node.arguments[0], Expression(tape, {place + 1: 1.0}))]
-        case Operation.SQUARED_SECANT:  # the tanh stands before it
+        case Operation.SQUARED_SECANT:  # it follows its tanh
             return [(node.arguments[0], own * z[1] * -2.0)]
         case Operation.EXPONENTIAL_MINUS_ONE:
             return [(node.arguments[0], own + 1.0)]

@@ -20,12 +20,12 @@ def write_jaxpr(function: Callable[..., Any], *shapes: tuple[int, ...]) -> Any:
 
 def numbers_in(closed: Any) -> list[float]:
     """Return the real numbers that a jaxpr contains, each once, but those by which doubles are multiplied exactly."""
-    found: set[float] = set()
+    numbers: set[float] = set()
 
     def look_at(value: Any) -> None:
         if np.issubdtype(np.result_type(value), np.inexact):
             flat: Any = np.ravel(np.asarray(value))
-            found.update(x for part in (flat.real, flat.imag) for x in part.tolist() if not is_power_of_two(x))
+            numbers.update(x for part in (flat.real, flat.imag) for x in part.tolist() if not is_power_of_two(x))
 
     def look_into(jaxpr: Any) -> None:
         for equation in jaxpr.eqns:
@@ -41,7 +41,7 @@ def numbers_in(closed: Any) -> list[float]:
     for constant in closed.consts:
         look_at(constant)
     look_into(closed.jaxpr)
-    return sorted(found)
+    return sorted(numbers)
 
 
 def is_power_of_two(x: float) -> bool:

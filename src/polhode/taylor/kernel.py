@@ -39,10 +39,8 @@ from polhode.taylor.program import CONSTANT, FIRST, SIZE, SLOTS
 from polhode.taylor.vectors import LANES, borrow, vectors
 from polhode.types import Array
 
-RUNNING, DONE, STOPPED, FULL, FAILED = 0, 1, 2, 3, 4
-SHORTEST = 4e-16  # of the present time: shorter steps do not advance
-CLOSE = 1e-14  # of a step: an event as near to its beginning as that was found at the end of the step before
-MISSED, FARTHEST = 8.0, 1e-6  # times by which a zero was missed, and of a step at most, likewise
+RUNNING, DONE, STOPPED, FULL, FAILED = range(5)  # status of a copy
+MIN_RELATIVE_STEP = 4e-16  # of the present time: shorter steps do not advance
 
 
 @entry
@@ -148,7 +146,7 @@ def plan_step(rates: Series, copies: Copies, lanes: Lanes, course: Course, lane:
         reached = unit * find_reach(p[w], order, ahead / unit, course.reach)
         if reached < ahead:
             h = reached
-    if not h > SHORTEST * abs(t) or not h > 0.0:
+    if not h > MIN_RELATIVE_STEP * abs(t) or not h > 0.0:
         return FAILED
     copies.now[k, UNIT] = power_of_two(min(h, left))
     last = h >= left * (1.0 - 1e-12)
@@ -191,6 +189,9 @@ def event_in(copies: Copies, lanes: Lanes, course: Course, lane: Any, h: Any) ->
     """Return the watched function that is the first to change its sign within h, or −1, and the time of that."""
     k, unit, order, p = lanes.which[lane], lanes.units[lane], course.order, lanes.p
     t, event, first, length = copies.now[k, TIME], -1, h, abs(h)
+    # an event so near to the step's beginning, of its length, is the last one: at most eight times as far as the value
+    # there tells, and a millionth of the step
+    close, times_missed, farthest = 1e-14, 8.0, 1e-6
     for w in range(p.shape[0]):
         others, power = 0.0, length / unit
         for j in range(1, order + 1):
@@ -198,11 +199,11 @@ def event_in(copies: Copies, lanes: Lanes, course: Course, lane: Any, h: Any) ->
             power *= length / unit
         if abs(p[w, 0]) > others or others <= lanes.terms[w * LANES + lane]:  # one that stays at zero changes no sign
             continue
-        low = 0.0
-        if copies.counts[k, EVENT] == w and abs(copies.now[k, LATEST] - t) <= CLOSE * length + SHORTEST * abs(t):
-            low = CLOSE * length + 4.0 * SHORTEST * abs(t)
-            if p[w, 1] != 0.0:  # what is left of the value there tells by how much the zero was missed
-                low = max(low, min(MISSED * unit * abs(p[w, 0] / p[w, 1]), FARTHEST * length))
+        low, least = 0.0, MIN_RELATIVE_STEP * abs(t)
+        if copies.counts[k, EVENT] == w and abs(copies.now[k, LATEST] - t) <= close * length + least:
+            low = close * length + 4.0 * MIN_RELATIVE_STEP * abs(t)
+            if p[w, 1] != 0.0:  # the value left there shows by how much the zero was missed
+                low = max(low, min(times_missed * unit * abs(p[w, 0] / p[w, 1]), farthest * length))
             low = min(low, length)
         zero = course.forth * unit * first_zero(
             p[w], order, low / unit, length / unit, course.falling[w], lanes.work, lanes.waiting

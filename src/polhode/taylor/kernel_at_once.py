@@ -12,7 +12,7 @@ import numpy as np
 
 from polhode.taylor import kernel_series
 from polhode.taylor.kernel import RUNNING, take_samples
-from polhode.taylor.kernel_series import FLOOR, TOO_LARGE
+from polhode.taylor.kernel_series import MAX_COEFFICIENT, MIN_SIZE
 from polhode.taylor.kernel_space import NOBODY, TIME, Copies, Course, Lanes, Series
 from polhode.taylor.kernel_zeros import ROUNDING
 from polhode.taylor.program import CONSTANT, FACTOR, FIRST, INDEX, SIZE, SLOTS, START
@@ -41,9 +41,9 @@ def measure_coefficients(series: Series, lanes: Lanes, course: Course) -> None:
     n, sizes = series.whole[SIZE], lanes.lengths
     scale, rows = lanes.scales[:n], _rows(series, course.order)
     # as comparisons with NaN are false, the size of a state passes over it, and coefficients that have one are NaN
-    sizes[1] = np.fmax.reduce(np.abs(rows[0]) / scale, initial=FLOOR)
+    sizes[1] = np.fmax.reduce(np.abs(rows[0]) / scale, initial=MIN_SIZE)
     parts = np.abs(rows[course.order - 2 :]) / scale
-    sizes[2:5] = np.where((parts < TOO_LARGE).all(axis=1), parts.max(axis=1, initial=0.0), np.nan)
+    sizes[2:5] = np.where((parts < MAX_COEFFICIENT).all(axis=1), parts.max(axis=1, initial=0.0), np.nan)
     if course.followers:
         kernel_series.of_followers(series, lanes, course)
     else:

@@ -30,14 +30,14 @@ from polhode.taylor.program import (
 )
 from polhode.taylor.vectors import raise_power
 
-PAIRS = 12  # coefficients in two parts: roundings of the others, which have one sign, are 1e-26 of the state a step
-SPLITTING = 134217729.0  # 2²⁷ + 1
+ORDERS_IN_PAIRS = 12  # roundings of the other coefficients, which have one sign, are 1e-26 of the state a step
 Pair = tuple[Any, Any]
 
 
 def two_product(a: Any, b: Any) -> Pair:
     """Return the product and its exact error [Dekker–Veltkamp], as ``doubledouble`` does for arrays."""
-    p, t, u = a * b, SPLITTING * a, SPLITTING * b
+    splitting = 134217729.0  # 2²⁷ + 1
+    p, t, u = a * b, splitting * a, splitting * b
     ah, bh = t - (t - a), u - (u - b)
     al, bl = a - ah, b - bh
     return p, ((ah * bh - p) + ah * bl + al * bh) + al * bl
@@ -53,10 +53,10 @@ def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:
     for i in range(size):
         rest = 0.0
         # Horner's rule: the terms of high order in doubles, the first of them in two parts
-        for k in range(course.order, PAIRS - 1, -1):
+        for k in range(course.order, ORDERS_IN_PAIRS - 1, -1):
             rest = rest * h + series.flat[k * width + i]
         value = rest, 0.0
-        for k in range(PAIRS - 1, -1, -1):
+        for k in range(ORDERS_IN_PAIRS - 1, -1, -1):
             value = add(multiply_float(value, h), (exact.high[k * rows + i], exact.low[k * rows + i]))
         lanes.states[i], lanes.low[i] = value
 
@@ -65,7 +65,7 @@ def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:
 def first_coefficients(exact: Exact, size: Any, unit: Any) -> None:
     """Set the first coefficients of what moves, of powers of the time over a unit that is a power of two."""
     whole, number = exact.whole, exact.number
-    for k in range(PAIRS - 1):
+    for k in range(ORDERS_IN_PAIRS - 1):
         nodes_in_pairs(exact, k)
         for i in range(size):
             value = combination_in_pairs(exact, k, whole[FIRST] + i)

@@ -12,9 +12,6 @@ from polhode.taylor.program import CONSTANT, FIRST, SIZE, SLOTS
 from polhode.taylor.vectors import LANES, run_code, spread, square_root, vectors, where_less
 from polhode.types import Array
 
-INDEPENDENT = 0.01  # of a squared gradient, that must be left beside the other gradients
-FARTHEST = 1e-3  # of the scale: a run that is off by more is not to be mended
-
 
 def back_onto(integrals: Series, lanes: Lanes, count: Any) -> None:
     """Move states by one Newton step onto what is conserved: the outputs are the values, then their gradients.
@@ -25,6 +22,8 @@ def back_onto(integrals: Series, lanes: Lanes, count: Any) -> None:
     y, scale, wanted, rows = vectors(lanes.states), vectors(lanes.scales), vectors(lanes.wanted), vectors(lanes.rows)
     slack, due = vectors(lanes.slack), vectors(lanes.due)
     n, none, infinite = integrals.whole[SIZE], spread(0.0), spread(np.inf)
+    independent = 0.01  # of a squared gradient, that must be left beside the other gradients
+    farthest = 1e-3  # of the scale: a run that is off by more is not put back
     compute_outputs(integrals, y)
     due[0] = none
     for c in range(count):
@@ -57,9 +56,9 @@ def back_onto(integrals: Series, lanes: Lanes, count: Any) -> None:
         for i in range(n):
             left = left + rows[row + i] * rows[row + i]
         length = square_root(left)
-        small = where_less(abs(off), FARTHEST * length, length, infinite)
+        small = where_less(abs(off), farthest * length, length, infinite)
         # zero where the gradient is left out
-        inverse = 1.0 / where_less(INDEPENDENT * square, left, small, infinite)
+        inverse = 1.0 / where_less(independent * square, left, small, infinite)
         for i in range(n):
             rows[row + i] = where_less(none, inverse, rows[row + i] * inverse, none)
         rows[row + n] = where_less(none, inverse, off * inverse, none)

@@ -49,15 +49,11 @@ from polhode.taylor.vectors import (
 )
 from polhode.types import Array
 
-FLOOR = 1e-3  # of the scale: a motion that dies away is computed to this part of its first size
-UNITS = 300  # of time that are tried
-FAR = 256.0  # units: a longer step may be of coefficients that vanished
-LEAST = 1e-300  # ratio, whose logarithm is a number
-TOO_LARGE = 1e250  # for a coefficient, as products of two are summed
-LEFT_OF_ROOT = 0.1  # of what is under a root, in a step
-MOST_EXPONENT = 8.0  # by which an exponent changes in a step
-MOST_ANGLE = 4.0  # rad by which the argument of a sine changes in a step
-UNDERFLOW = -700.0  # an exponent, up to which it may come from any lower one
+MIN_SIZE = 1e-3  # of the scale: a motion that dies away is computed to this part of its first size
+MAX_COEFFICIENT = 1e250  # for a coefficient, as products of two are summed
+ROOT_SHARE_LEFT = 0.1  # of what is under a root, in a step
+MAX_EXPONENT_CHANGE = 8.0  # by which an exponent changes in a step
+MAX_ANGLE_CHANGE = 4.0  # rad by which the argument of a sine changes in a step
 
 
 def combination(series: Series, base: Any, row: Any) -> Any:
@@ -224,7 +220,7 @@ def step_lengths(series: Series, lanes: Lanes, course: Course) -> None:
     and that of a tangent does not.
     """
     measure_coefficients(series, lanes, course)
-    order, reach, width = course.order, course.reach, series.whole[SLOTS]
+    order, reach, width, least_ratio = course.order, course.reach, series.whole[SLOTS], 1e-300
     whole, flat, scales, lengths = series.whole, series.flat, lanes.scales, lanes.lengths
     for lane in range(LANES):
         if lanes.which[lane] == NOBODY:
@@ -240,14 +236,14 @@ def step_lengths(series: Series, lanes: Lanes, course: Course) -> None:
                 break
         for e in range(3):
             size, last = lengths[5 * LANES + lane], lengths[(6 + e) * LANES + lane]
-            if last > TOO_LARGE * max(size, 1.0):
+            if last > MAX_COEFFICIENT * max(size, 1.0):
                 best = np.nan
-            elif size > 0.0 and last > 0.0:  # what comes from nothing is as smooth as the motion that drives it
-                best = min(best, math.log(max(size / last, LEAST)) / (order - 2 + e))
+            elif size > 0.0 and last > 0.0:  # what begins at zero is as smooth as the motion that drives it
+                best = min(best, math.log(max(size / last, least_ratio)) / (order - 2 + e))
         if best == np.inf:  # a polynomial, of which earlier ones may overflow
             for k in range(order - 2):
                 for i in range(whole[SIZE]):
-                    if not abs(flat[(k * width + i) * LANES + lane]) <= TOO_LARGE * scales[i * LANES + lane]:
+                    if not abs(flat[(k * width + i) * LANES + lane]) <= MAX_COEFFICIENT * scales[i * LANES + lane]:
                         best = np.nan
         lengths[lane] = math.exp(best) * reach
 
@@ -256,7 +252,7 @@ def measure_coefficients(series: Series, lanes: Lanes, course: Course) -> None:
     """Set the sizes of the state and of its last three coefficients, and those of what follows the motion."""
     order, whole, z = course.order, series.whole, series.z
     width, scale, sizes = whole[SLOTS], vectors(lanes.scales), vectors(lanes.lengths)
-    size = spread(FLOOR)
+    size = spread(MIN_SIZE)
     for i in range(whole[SIZE]):
         part = abs(z[i]) / scale[i]
         size = where_less(size, part, part, size)
@@ -267,7 +263,7 @@ def measure_coefficients(series: Series, lanes: Lanes, course: Course) -> None:
             part = abs(z[base + i]) / scale[i]
             # comparisons with NaN are false, so that a NaN stays
             larger = where_less(largest, part, part, largest)
-            largest = where_less(part, spread(TOO_LARGE), larger, spread(np.nan))
+            largest = where_less(part, spread(MAX_COEFFICIENT), larger, spread(np.nan))
         sizes[2 + e] = largest
     of_followers(series, lanes, course)
 
@@ -291,19 +287,20 @@ def bound_change(series: Series, order: Any, lane: Any, slot: Any, kind: Any, ah
     """Return how far, in units and at most ``ahead``, the argument of a function changes by no more than it may.
 
     Series of sines end in roundings e^Δ times their own where the angle changes by Δ, and if these cancel in the rates,
-    the coefficients of a smooth motion do not show it. Coefficients tell nothing of an exponential that is too small to
-    be seen yet, such as the distance of a tanh from 1. And a root's own have no singularity where its argument has a
-    double zero: behind it they are those of the root with the other sign.
+    the coefficients of a smooth motion do not show it. Coefficients do not show an exponential that is too small as
+    yet, such as the distance of a tanh from 1. And those of a root have no singularity where its argument has a double
+    zero: behind it they are those of the root with the other sign.
     """
     first, length = series.flat[slot * LANES + lane], ahead
+    underflow = -700.0  # an exponent, up to which it may come from any lower one
     if kind == OF_EXPONENTIAL:
-        most = max(MOST_EXPONENT, UNDERFLOW - first)
+        most = max(MAX_EXPONENT_CHANGE, underflow - first)
     elif kind == OF_ANGLE:
-        most = MOST_ANGLE
+        most = MAX_ANGLE_CHANGE
     elif kind == OF_TANH:  # 1 ∓ tanh x = 2 e^(∓2x)/(1 + e^(∓2x))
-        most = 0.5 * max(MOST_EXPONENT, UNDERFLOW + 2.0 * abs(first))
+        most = 0.5 * max(MAX_EXPONENT_CHANGE, underflow + 2.0 * abs(first))
     else:
-        most = (1.0 - LEFT_OF_ROOT) * abs(first if kind == OF_ROOT else 1.0 + first)
+        most = (1.0 - ROOT_SHARE_LEFT) * abs(first if kind == OF_ROOT else 1.0 + first)
     while length > 0.0 and not sum_of_sizes(series, order, lane, slot, length) <= most:
         length *= 0.5
     return length
@@ -330,9 +327,10 @@ def fit_series(series: Series, lanes: Lanes, course: Course) -> None:
     The search begins with units such as the last steps' lengths, and goes up to the times that are left.
     """
     units, left, lowered = lanes.units, lanes.left, lanes.lowered
+    far = 256.0  # units: a longer step may be of coefficients that vanished
     for lane in range(LANES):
         lowered[lane] = 0
-    for _ in range(UNITS):
+    for _ in range(300):
         coefficients(series, course.order, units)
         step_lengths(series, lanes, course)
         settled = True
@@ -343,7 +341,7 @@ def fit_series(series: Series, lanes: Lanes, course: Course) -> None:
             if not length >= 0.0:
                 if not unit < 1e-280 and has_values(series, lane):
                     units[lane], lowered[lane], settled = unit * 2.0**-8, 1, False  # they overflow
-            elif length > FAR and unit < left[lane] and lowered[lane] == 0:  # the last ones may have vanished
+            elif length > far and unit < left[lane] and lowered[lane] == 0:  # the last ones may have vanished
                 units[lane], settled = min(unit * 2.0**16, power_of_two(left[lane]) * 2.0), False
         if settled:
             break

@@ -6,18 +6,16 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from polhode.taylor.kernel_zeros import DEPTH
+from polhode.taylor.kernel_zeros import MAX_WAITING
 from polhode.taylor.program import Program
 from polhode.types import Array, Bool, Float64, Integer
 
 if TYPE_CHECKING:
     from polhode.taylor.llvm_writer import Code  # which needs Numba
 
-LINE = 64  # bytes of the cache
 NOBODY = -1  # in a lane
 TIME, LATEST, UNIT = range(3)  # of a copy, where its ``now`` has them
 STEPS, NEXT, HITS, EVENT = range(4)  # and its ``counts``
-LENGTHS = 9  # numbers of a lane in ``lengths``
 
 
 class Series(NamedTuple):
@@ -176,21 +174,22 @@ def exact_for(program: Program | None, numbers: Float64[Array, "numbers"], order
 
 def lanes_for(program: Program, exact: Exact, order: int, width: int, watched: int, conserved: int) -> Lanes:
     """Return lanes in which nobody is."""
-    n = program.size
+    n, lengths = program.size, 9  # see ``kernel_series.step_lengths``
     numbers = lambda count: _zeros(count * width)  # noqa: E731
     marks = lambda: np.zeros(width, np.int64)  # noqa: E731
     return Lanes(
         np.full(width, NOBODY), numbers(n), numbers(n if len(exact.whole) else 0), exact, numbers(n),
         numbers(conserved), numbers(conserved), np.ones(width),
-        numbers(1), numbers(1), numbers(LENGTHS), numbers(1), marks(), marks(), marks(), numbers(1),
+        numbers(1), numbers(1), numbers(lengths), numbers(1), marks(), marks(), marks(), numbers(1),
         numbers(conserved * (n + 1)),
         numbers(watched * (order + 1)), np.zeros((watched, order + 1)), numbers(watched),
-        np.zeros(order + 1), np.zeros(2 * DEPTH + 8),
+        np.zeros(order + 1), np.zeros(2 * MAX_WAITING + 8),
     )  # fmt: skip
 
 
 def _zeros(count: int) -> Float64[np.ndarray, " many"]:
     """Return zeros that begin where a line of the cache does: vectors across two of them take twice as long to load."""
-    padded = np.zeros(count + LINE // 8)
-    first = -padded.ctypes.data % LINE // 8
+    line = 64  # bytes
+    padded = np.zeros(count + line // 8)
+    first = -padded.ctypes.data % line // 8
     return padded[first : first + count]

@@ -9,19 +9,17 @@ import numpy as np
 from polhode._base.compiled.copying import called
 from polhode.types import Array
 
-DEPTH = 100  # of intervals that wait to be searched
-ROUNDS = 6  # each of which leaves at most an eighth of the powers of ten by which a step is too long
-NEAREST = 1e-300  # of the last time: the first part ends no earlier
+MAX_WAITING = 100  # of intervals that wait to be searched
 ROUNDING = 1e-15  # of a polynomial's terms: where values are smaller, their signs say nothing
 
 
 def find_reach(p: Array, order: Any, h: Any, reach: Any) -> Any:
     """Return how far a series may be followed, h at most; 0 where a coefficient is not finite.
 
-    Its first terms tell its size, as the function itself may be at a zero: of a step that is found, not of h.
+    Its first terms give its size, as the function itself may be at a zero: their size in the step so far, not in h.
     """
     length = h
-    for _ in range(ROUNDS):
+    for _ in range(6):  # each leaves at most an eighth of the powers of ten by which a step is too long
         size, power, longest = abs(p[0]), 1.0, length
         for k in range(1, 4):
             power *= longest
@@ -81,7 +79,8 @@ def first_zero(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Ar
             if abs(p[k]) > 0.0:
                 # for x ≤ ½ (|p₀|/|p_k|)^(1/k) each |p_k| x^k ≤ 2^−k |p₀|, and their sum is less than |p₀|
                 nearest = min(nearest, 0.5 * (abs(p[0]) / abs(p[k])) ** (1.0 / k))
-        right = min(2.0 * max(left, nearest, NEAREST * high), high)
+        # and a first part that is not too short to advance
+        right = min(2.0 * max(left, nearest, 1e-300 * high), high)
         zero = change_within(p, order, left, right, falling, was, work, waiting)
         if zero == zero:
             return zero
@@ -101,7 +100,7 @@ def change_within(
     An interval is left where the middle's value exceeds all that the others add up to, or where all values are
     rounding; it is searched where it is monotone, and halved otherwise, so that no change is missed. One that lies at
     the end of an interval, to the bit or within rounding of it, is in neither of the two that meet there: ``was``, a
-    value of the sign before the interval, or zero at the start of a motion from a zero, tells it.
+    value of the sign before the interval, or zero at the start of a motion from a zero, decides it.
     """
     top, size, power = 1, abs(p[0]), 1.0
     for k in range(1, order + 1):
@@ -132,7 +131,7 @@ def change_within(
             continue
         if not abs(work[0]) < np.inf:
             return np.nan
-        if abs(work[1]) > slopes or radius <= 1e-15 * high or top + 2 > DEPTH:
+        if abs(work[1]) > slopes or radius <= 1e-15 * high or top + 2 > MAX_WAITING:
             before, after = polynomial(p, order, left), polynomial(p, order, right)
             if changes_sign(was, before, falling):
                 return left

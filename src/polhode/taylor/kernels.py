@@ -1,4 +1,4 @@
-"""The kernel, as plain Python and compiled by Numba, for one copy at a time and for eight: always the same bits.
+"""The kernel, as plain Python and compiled by Numba, for one copy at a time and for eight, bit for bit alike.
 
 A third form moves one copy at a time with twice as many digits.
 
@@ -31,7 +31,6 @@ from polhode.taylor import (
 )
 from polhode.taylor.program import Program
 
-WRITTEN, LONGEST = 1e-3, 4000  # s of slower runs for each operation before a program's code is written; the longest one
 EXTENDED = 2  # for one copy with twice as many digits; other forms are named by how many copies they move at a time
 # s that compiling takes: after slower runs of that time, no run costs more than twice what the better choice would have
 COMPILED = {1: 10.0, lanes.LANES: 12.0, EXTENDED: 12.0}
@@ -45,13 +44,23 @@ WHAT = {1: "Taylor series", lanes.LANES: "Taylor series of many copies", EXTENDE
 Function = Any  # of Numba's or of Python's own
 
 
+class CodeLimits(NamedTuple):
+    """For which programs code is written."""
+
+    min_seconds_of_operation: float = 1e-3  # s of slower runs for each operation, in which writing pays off
+    max_operations: int = 4000
+
+
+LIMITS = CodeLimits()
+
+
 class Kernel(NamedTuple):
     """Functions of ``kernel``.
 
     Attributes:
         lanes: how many copies it moves at a time.
         is_compiled: whether by Numba; else it is Python.
-        stretch: how many operations of a program one call does in its steps, so that Ctrl-C is seen between two calls.
+        stretch: how many operations of a program one call does in its steps, so that Ctrl-C acts between two calls.
     """
 
     lanes: int
@@ -86,7 +95,7 @@ def choose_kernel(copies: int, extended: bool = False) -> Kernel:
 def write_code(use: Kernel, program: Program, integrals: Program) -> tuple[Any, Any]:
     """Return ``Code`` of a program that has run for as long as it takes to write that, else None; and of integrals."""
     spent = _Spent.by_program.get(program.form, 0.0)
-    if program.length > LONGEST or spent < WRITTEN * program.length:
+    if program.length > LIMITS.max_operations or spent < LIMITS.min_seconds_of_operation * program.length:
         return None, None
     from polhode.taylor.straight_line import generate, generate_values
 
@@ -108,7 +117,7 @@ def note(use: Kernel, copies: int, program: Program, seconds: float) -> None:
 
 
 def note_rest(use: Kernel, extended: bool, spent: float, seconds: float) -> None:
-    """Have the next part of a run compiled where what is left of it [s] would take Python longer than compiling.
+    """Have the next part of a run compiled where the rest [s] would take Python longer than compiling.
 
     The progress meter extrapolates from the first second, so a run must not spend ten in Python before it is compiled.
     """

@@ -26,14 +26,22 @@ from polhode.taylor.structure import Structure, itself, take_structure
 from polhode.taylor.tracing import evaluate, keep_numbers
 from polhode.types import Array, Double, Float64
 
-MOST_GRADIENTS = 600  # numbers in the gradients of what is conserved, from which projecting costs more than it gives
-SAME_JUMP = 1e-12  # of a time: a jump that is named, and found again by trying times
 TRACING = (jax.errors.ConcretizationTypeError, jax.errors.TracerArrayConversionError,
            jax.errors.TracerIntegerConversionError, jax.errors.TracerBoolConversionError)  # fmt: skip
-HIGHEST_POWER = 32  # with twice as many digits
-INSTANTS = 1024  # at which branches on the time must come to the same
-MOST_SIDES = 1000  # of a system, of which machines are kept
 Span = tuple[float, float] | None
+
+
+class MachineLimits(NamedTuple):
+    """Bounds of programs, and of the machines that are kept."""
+
+    max_gradient_numbers: int = 600  # of the conserved quantities, from which projecting costs more than it gives
+    time_rounding: float = 1e-12  # of a time: jumps that are nearer are one, named and detected again
+    instants: int = 1024  # between two jumps, at which branches on the time must agree
+    max_extended_power: int = 32  # with twice as many digits
+    max_sides: int = 1000  # of a system, of which machines are kept
+
+
+LIMITS = MachineLimits()
 
 
 class Form(NamedTuple):
@@ -114,7 +122,6 @@ def build_machine(
     """Return the programs of a system for states like one.
 
     Args:
-        system: what moves.
         state: one, as ``check_state`` gives it.
         between: two times [s] between which no jump is named.
         through: a function of time and state that is watched too, after the events.
@@ -138,20 +145,20 @@ def build_machine(
         signs = next((each for each, machine in known.items() if _serves(machine, start)), ())
     elif signs is None and () in known:  # the system has no branches
         signs = ()
-    found = known.get(signs)
-    if found is None:
+    machine = known.get(signs)
+    if machine is None:
         try:
-            found = _make_machine(system, form, instants, through, extended, signs, start)
+            machine = _make_machine(system, form, instants, through, extended, signs, start)
         except Untraceable as error:
             if start is None:  # else it may have a machine from elsewhere
                 known[signs] = str(error)
             raise
-        if len(known) >= MOST_SIDES:
+        if len(known) >= LIMITS.max_sides:
             known.clear()
-        known[signs if found.branches is None else found.branches.signs] = found
-    elif isinstance(found, str):  # which takes as long to find out as a machine takes
-        raise Untraceable(found)
-    return found
+        known[signs if machine.branches is None else machine.branches.signs] = machine
+    elif isinstance(machine, str):  # a reason, which takes as long to determine as a machine takes
+        raise Untraceable(machine)
+    return machine
 
 
 def _serves(machine: Machine | str, start: tuple[float, ...]) -> bool:
@@ -300,20 +307,21 @@ def _exact_program(tape: Tape, rates: list[Expression]) -> Program:
         name = "Kepler's equation" if Operation.ECCENTRIC in wrong else f"the operation '{min(wrong).name.lower()}'"
         raise Untraceable(f"{name}, which has no recurrence with twice as many digits")
     powers = [node.number for node in tape.nodes if node.operation is Operation.POWER]
-    if other := [x for x in powers if not ((2.0 * x).is_integer() and abs(x) <= HIGHEST_POWER)]:
+    if other := [x for x in powers if not ((2.0 * x).is_integer() and abs(x) <= LIMITS.max_extended_power)]:
         raise Untraceable(
-            f"the power {other[0]:g}, and with twice as many digits only halves of whole numbers up to {HIGHEST_POWER} "
-            "have a recurrence"
+            f"the power {other[0]:g}, and with twice as many digits only halves of whole numbers up to "
+            f"{LIMITS.max_extended_power} have a recurrence"
         )
     return make_program(tape, rates)
 
 
 def _instants(between: Span) -> Float64[np.ndarray, "instants"]:
-    """Return times between two jumps; one alone where they are the same but for rounding."""
+    """Return times between two jumps; a single one where the two are equal but for rounding."""
     if between is None:
         return np.zeros(0)
     low, high = between
-    count = 1 if abs(high - low) <= SAME_JUMP * max(abs(low), abs(high)) else INSTANTS
+    is_one = abs(high - low) <= LIMITS.time_rounding * max(abs(low), abs(high))
+    count = 1 if is_one else LIMITS.instants
     return np.linspace(low, high, count + 2)[1:-1]
 
 
@@ -371,7 +379,7 @@ def _write_conserved(
     at = {name: place for place, name in enumerate(sorted(shapes))}  # as JAX has the keys of a dictionary
     for name in shapes:
         size, is_number = math.prod(shapes[name].shape), shapes[name].ndim == 0
-        fits = (count + size) * form.size <= MOST_GRADIENTS
+        fits = (count + size) * form.size <= LIMITS.max_gradient_numbers
         if fits and (is_number or name in of_copies):
             places[name] = at[name]
             count += size

@@ -22,8 +22,8 @@ class Operation(IntEnum):
     SINE = 5
     COSINE = 6  # of the sine before it, with which it shares the recurrence
     ECCENTRIC = 7  # E of M = E − e sin E
-    ECCENTRIC_SINE = 8  # sin E, which stands behind E
-    ECCENTRIC_COSINE = 9  # cos E, behind that
+    ECCENTRIC_SINE = 8  # sin E, which follows E
+    ECCENTRIC_COSINE = 9  # cos E, which follows that
     TANH = 10
     SQUARED_SECANT = 11  # 1/cosh² of the same, behind its tanh
     EXPONENTIAL_MINUS_ONE = 12

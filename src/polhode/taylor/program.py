@@ -20,7 +20,6 @@ BLOCK = WIDTH  # products at a time
 # where a program says how many, and where; see ``Program``
 SIZE, SLOTS, OPERATIONS, PRODUCTS, FIRST = range(5)
 CODE, OUT, ARGUMENT, LEFT, RIGHT, START, INDEX, NUMBER, FACTOR, CONSTANT = range(5, 15)
-HEADER = 15
 # functions whose arguments change by little in a step: roots and logarithms, exponentials, tanh, log(1 + x), sines
 OF_ROOT, OF_EXPONENTIAL, OF_TANH, OF_ONE_PLUS, OF_ANGLE = range(5)
 
@@ -30,7 +29,7 @@ class Program:
     """A program for a kernel, in two flat arrays, as compiled functions take two arguments faster than twenty.
 
     Attributes:
-        whole: (W,) integers. It begins with sizes, and with places of what stands behind them:
+        whole: (W,) integers. It begins with sizes, and with the places of what follows them:
             of the state, of a row, how many operations and products there are; then, for each operation, its code
             (a block of eight where it is a product), the slot where its result begins, and its argument: the row of
             START for an affine combination, the first product of a block, else a slot; the slots of both factors of
@@ -194,9 +193,10 @@ def make_program(tape: Tape, outputs: list[Expression]) -> Program:
         combine(sorted(x.terms.items()))
     integers = {CODE: code, OUT: out, ARGUMENT: argument, LEFT: left, RIGHT: right, START: start, INDEX: index}
     numbers = {NUMBER: number, FACTOR: factor, CONSTANT: [x.constant for x in outputs]}
-    header = np.zeros(HEADER, np.int64)
+    length = CONSTANT + 1
+    header = np.zeros(length, np.int64)
     header[[SIZE, SLOTS, OPERATIONS, PRODUCTS, FIRST]] = tape.size, slots, len(code), len(left), first
-    for parts, place in ((integers, HEADER), (numbers, 0)):
+    for parts, place in ((integers, length), (numbers, 0)):
         for name, values in parts.items():
             header[name], place = place, place + len(values)
     whole = np.concatenate([header, *(np.array(values, np.int64) for values in integers.values())])

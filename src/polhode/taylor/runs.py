@@ -1,4 +1,4 @@
-"""Motions by Taylor series, from stretch to stretch between jumps."""
+"""Motions by Taylor series, segment by segment between jumps."""
 
 from __future__ import annotations
 
@@ -16,20 +16,24 @@ from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import FURTHER
 from polhode.systems.base import AbstractSystem, Event
 from polhode.taylor import kernel
-from polhode.taylor.flight import begin_flight, fly, outcome
+from polhode.taylor.advancing import advance_copies, begin_copies, outcome
 from polhode.taylor.kernel_space import HITS, STEPS, Copies, Course, series_for
 from polhode.taylor.kernels import python_kernel
 from polhode.taylor.machine import Machine, build_machine
 from polhode.taylor.program import Program
 from polhode.taylor.sides import Signs
-from polhode.taylor.switching import Watched, fly_past_branches, time_of_roundings
+from polhode.taylor.switching import Watched, advance_past_branches, time_of_roundings
 from polhode.types import Array, Double, Float64, Integer
 
-ORDER, LOCAL = 24, 1e-19  # to rounding: of an order at which errors of single steps do not add up with one sign
-EXTENDED_ORDER, EXTENDED_LOCAL = 28, 1e-22  # of states that have twice as many digits
-LOOSEST_ORDER = 8
-FIRST_HITS = 256  # crossings that there is room for at first
-AWAY = 1e3  # sizes of a state, which no motion reaches that comes back
+
+class RunLimits(NamedTuple):
+    """Bounds of runs that go back, and of the room that a search begins with."""
+
+    max_growth: float = 1e3  # of a motion that goes back, over its size: one that reaches it does not return
+    first_crossings: int = 256  # that there is room for at first
+
+
+LIMITS = RunLimits()
 
 
 class Precision(NamedTuple):
@@ -47,17 +51,23 @@ class Precision(NamedTuple):
 
 
 def choose_precision(tolerance: float | None, order: int | None = None, extended: bool = False) -> Precision:
-    """Return order and reach of steps whose error is a tolerance of the state's size; to rounding if it is None.
+    """Return order and reach of steps whose error is a tolerance times the state's size; rounding if it is None.
 
     Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §3.1 for the order, §3.2 for the reach.
     """
-    to_rounding = (ORDER, LOCAL) if not extended else (EXTENDED_ORDER, EXTENDED_LOCAL)
-    local = to_rounding[1] if tolerance is None else tolerance
+    local = finest_tolerance(extended) if tolerance is None else tolerance
     if order is None:
-        order = to_rounding[0] if tolerance is None else max(LOOSEST_ORDER, math.ceil(1.0 - 0.5 * math.log(local)))
+        # without a tolerance, orders at which errors of single steps do not add up with one sign
+        to_rounding = 28 if extended else 24
+        order = to_rounding if tolerance is None else max(8, math.ceil(1.0 - 0.5 * math.log(local)))
     # Jorba & Zou 2005: the order 1 − ½ ln ε costs least, and a step of e⁻² radii makes its last term ε; the factor
     # e^(−0.7/(p−1)) is for safety (§3.2)
     return Precision(order, local ** (1.0 / order) * math.exp(-0.7 / (order - 1)), extended)
+
+
+def finest_tolerance(extended: bool) -> float:
+    """Return the tolerance of a step whose error is rounding, of states in double or in extended precision."""
+    return 1e-22 if extended else 1e-19
 
 
 class Runs(NamedTuple):
@@ -94,7 +104,7 @@ class Plan(NamedTuple):
     """The plan shared by all copies: where steps must end, the machine up to there, and the reach of steps.
 
     ``build`` gives the machine between two borders for other sides of branches; ``late`` and ``changes`` are as in
-    ``switching.Watched``, and the times of those jumps that were ``found`` are known to a rounding.
+    ``switching.Watched``, and the ``detected`` jumps are those whose times bisection gave, to a rounding.
     """
 
     borders: list[float]
@@ -106,7 +116,7 @@ class Plan(NamedTuple):
     build: Callable[..., Machine]
     late: Float64[np.ndarray, "copies"] | None = None
     changes: int = 0
-    found: frozenset[float] = frozenset()
+    detected: frozenset[float] = frozenset()
 
 
 def _plan(
@@ -124,7 +134,7 @@ def _plan(
     else:
         machines = [build(between) for between in itertools.pairwise(borders)]
     return Plan(borders, machines, times, precision, longest, forth, build, changes=system.count_of_changes,
-                found=frozenset(np.ravel(getattr(system, FURTHER, ())).tolist()))  # fmt: skip
+                detected=frozenset(np.ravel(getattr(system, FURTHER, ())).tolist()))  # fmt: skip
 
 
 def run_copies(
@@ -140,12 +150,12 @@ def run_copies(
     """Return the motions of states at times, which need not be ends of steps.
 
     Args:
-        system: what moves.
+        system: whose motion it is.
         states: (C, *shape).
         times: (T,) [s], in one direction.
         precision: of the steps.
         longest: step [s].
-        check: called with the share that is done, between parts of a long run.
+        check: called with the completed share, between parts of a long run.
         scales: sizes of the components, infinite of those that have none of their own; by default the system's.
         late: (C,) roundings of the time by which each copy passes borders of branches too late, to show their effect.
 
@@ -163,8 +173,8 @@ def run_copies(
         scale[:, : form.size] = scales
     samples = np.full((len(states), len(times), program.size), np.inf)
     samples[:, 0] = y  # without the time, which no state has
-    copies = begin_flight(plan.machines[0], y, scale, samples, times[0], hits=1)
-    _fly_through(plan, copies, check)
+    copies = begin_copies(plan.machines[0], y, scale, samples, times[0], hits=1)
+    _advance_through(plan, copies, check)
     balances = plan.machines[0].balances
     extra = slice(form.size, form.size + len(balances))
     ended = outcome(copies)
@@ -176,9 +186,9 @@ def runs_back(
     system: AbstractSystem, known: Float64[Array, "copies time some"], kicks: Float64[Array, "copies time n"],
     times: Float64[np.ndarray, "time"], precision: Precision, longest: float, scales: Float64[Array, "copies n"],
 ) -> tuple[Float64[Array, "copies n"], Float64[Array, "copies"]]:  # fmt: skip
-    """Return where motions come that go back through times at which their first components are known.
+    """Return the ends of motions that go back through times at which their first components are given.
 
-    At each of the times these are set to what is known, and the kicks are added to all.
+    At each of the times these are set to the given values, and the kicks are added to all.
 
     Args:
         system: what moves, with one axis of real numbers.
@@ -190,8 +200,8 @@ def runs_back(
         scales: sizes of the components, as of ``run_copies``.
 
     Returns:
-        The states at the first time, with its kicks, and by how much the way back missed what is known, at most, in
-        sizes of the components; infinite where steps shrank to nothing.
+        The states at the first time, with its kicks, and the largest distance of the way back from the given
+        components, in their sizes; infinite where steps shrank to nothing.
     """
     size, some = kicks.shape[2], known.shape[2]
     plan = _plan(system, kicks[0, -1], times[::-1], precision, longest)
@@ -199,20 +209,20 @@ def runs_back(
     y, scale = np.zeros((len(known), machine.program.size)), np.full((len(known), machine.program.size), np.inf)
     scale[:, :size] = scales
     y[:, :some], y[:, some:size] = known[:, -1], kicks[:, -1, some:]
-    copies = begin_flight(machine, y, scale, np.zeros((len(known), 0, machine.program.size)), times[-1], hits=1)
+    copies = begin_copies(machine, y, scale, np.zeros((len(known), 0, machine.program.size)), times[-1], hits=1)
     follows, nothing, missed = _followers(machine.program, scale), np.zeros(0, bool), np.zeros(len(known))
 
     def give_up(share: float) -> None:
         """End copies that have diverged, as damped motions do backward in time, in ever shorter steps."""
         with np.errstate(invalid="ignore"):
-            fine = (np.abs(y[:, :some]) < AWAY * scales[:, :some]).all(axis=1)
+            fine = (np.abs(y[:, :some]) < LIMITS.max_growth * scales[:, :some]).all(axis=1)
         copies.status[~fine] = kernel.FAILED
 
     for k in range(len(times) - 2, -1, -1):
         end = float(times[k])
         course = Course(times[:0], 0, precision.order, precision.reach, longest, plan.forth, nothing, nothing, end,
                         machine.clock, follows, len(follows))  # fmt: skip
-        fly(copies, machine, course, give_up, lambda t: 0.0)
+        advance_copies(copies, machine, course, give_up, lambda t: 0.0)
         off = np.abs(y[:, :some] - known[:, k]) / scales[:, :some]
         missed = np.maximum(missed, np.where(copies.status == kernel.DONE, off.max(axis=1, initial=0.0), np.inf))
         y[:, :some] = known[:, k]
@@ -226,7 +236,7 @@ class Crossings(NamedTuple):
     Attributes:
         times: (K,) [s].
         states: (K, *shape).
-        status: one of ``Status``: of the run, which may have ended before all were found.
+        status: one of ``Status``: of the run, which may have ended before all crossings.
         event: which of the system's events ended it, or −1.
         end: [s] up to when crossings were sought.
     """
@@ -251,7 +261,7 @@ def find_crossings(
     """Return where the motion of one state goes through the zeros of a function of time and state.
 
     Args:
-        system: what moves.
+        system: whose motion it is.
         state: one.
         through: the function, written with JAX.
         times: first and last [s].
@@ -268,8 +278,9 @@ def find_crossings(
     y = np.zeros((1, size))
     y[0, : form.size] = form.flat(state)
     scale = _scales(system, np.asarray(state)[None], times[0], plan.machines[0], size)
-    copies = begin_flight(plan.machines[0], y, scale, np.full((1, 2, size), np.inf), times[0], min(most, FIRST_HITS))
-    copies = _fly_through(plan, copies, check, Watch(falling, most))
+    samples, room = np.full((1, 2, size), np.inf), min(most, LIMITS.first_crossings)
+    copies = begin_copies(plan.machines[0], y, scale, samples, times[0], room)
+    copies = _advance_through(plan, copies, check, Watch(falling, most))
     status, event, end = outcome(copies)
     hits = copies.hits[0, : copies.counts[0, HITS]]
     crossings = hits[hits[:, 1] == len(system.events)][:most]
@@ -283,7 +294,7 @@ class Watch(NamedTuple):
     most: int
 
 
-def _fly_through(plan: Plan, copies: Copies, check: Callable[[float], None], watch: Watch | None = None) -> Copies:
+def _advance_through(plan: Plan, copies: Copies, check: Callable[[float], None], watch: Watch | None = None) -> Copies:
     """Move copies to the last time, or as far as they come, and return them, with more room for what they cross."""
     # the system's events fall from positive to zero, and end the motion
     falling = np.ones(len(plan.machines[0].events) + (watch is not None), bool)
@@ -297,21 +308,21 @@ def _fly_through(plan: Plan, copies: Copies, check: Callable[[float], None], wat
     signs: Signs = ()
     for k, between in enumerate(itertools.pairwise(plan.borders)):
         machine = plan.machines[k] if k < len(plan.machines) else plan.build(between, signs=signs)
-        if plan.late is not None and between[0] in plan.found:
+        if plan.late is not None and between[0] in plan.detected:
             before = plan.machines[k - 1] if k <= len(plan.machines) else machine
             jump = np.subtract(*(_rates(one, np.asarray(copies.y)) for one in (machine, before)))
             copies.y[:] -= time_of_roundings(k, between[0], plan.late)[:, None] * jump
         course_of = partial(_course, plan, between[1])
         if machine.branches is not None:
-            copies, signs = fly_past_branches(copies, machine, partial(plan.build, between), course_of, check, share,
-                                              watched)  # fmt: skip
+            build = partial(plan.build, between)
+            copies, signs = advance_past_branches(copies, machine, build, course_of, check, share, watched)
             continue
         course = course_of(copies, machine, falling, stops)
-        fly(copies, machine, course, check, share)
+        advance_copies(copies, machine, course, check, share)
         while watch is not None and copies.status[0] == kernel.FULL and copies.counts[0, HITS] < watch.most:
             copies = _enlarge(copies)
             copies.status[0] = kernel.RUNNING
-            fly(copies, machine, course, check, share)
+            advance_copies(copies, machine, course, check, share)
     return copies
 
 

@@ -11,7 +11,7 @@ Source: Filippov, *Differential Equations with Discontinuous Righthand Sides* (1
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -20,17 +20,25 @@ from polhode.taylor.operations import Node, Operation, squared_secant, value_of
 from polhode.types import Array, Float64
 
 Signs = tuple[bool, ...]
-AT_ZERO = 1e-12  # of the terms of a difference: nearer to zero the direction of the motion tells the side
-ALONG = 1e-9  # of the terms of its slope: a smaller slope tells no direction
-SAME = 4.0 * float(np.finfo(float).eps)  # of coefficients, up to which one difference is a multiple of another
-ROUNDS = 8  # in which the sides of all branches must agree
+
+
+class SideLimits(NamedTuple):
+    """Thresholds that determine on which side of a branch a motion goes on."""
+
+    max_at_border: float = 1e-12  # of the terms of a difference: nearer to zero the direction of the motion decides
+    min_slope: float = 1e-9  # of the terms of its slope: a smaller slope gives no direction
+    ratio_rounding: float = 4.0 * float(np.finfo(float).eps)  # of coefficients: one difference is a multiple of another
+    max_rounds: int = 8  # in which the sides of all branches must agree
+
+
+LIMITS = SideLimits()
 
 
 class Sides:
     """The branches on what moves that a tape has met, in the order in which a function asks for them.
 
     Args:
-        signs: whether each difference is taken to be positive; of further ones the values at the point tell.
+        signs: whether each difference is taken to be positive; of further ones the values at the point decide.
         point: components of the state.
     """
 
@@ -68,13 +76,13 @@ class Sides:
 
 
 def ratio(one: Expression, other: Expression) -> float:
-    """Return the number that one expression is of another, to rounding; zero if it is none."""
+    """Return the ratio of two expressions, constant to rounding; zero if they have none."""
     if one.terms.keys() != other.terms.keys():
         return 0.0
     first = next(iter(other.terms))
     factor = one.terms[first] / other.terms[first]
     pairs = [(one.terms[k], factor * c) for k, c in other.terms.items()] + [(one.constant, factor * other.constant)]
-    return factor if all(abs(a - b) <= SAME * abs(b) for a, b in pairs) else 0.0
+    return factor if all(abs(a - b) <= LIMITS.ratio_rounding * abs(b) for a, b in pairs) else 0.0
 
 
 def combine(x: Expression, values: list[Any], sizes: list[Any] | None = None) -> tuple[Any, Any]:
@@ -87,7 +95,7 @@ def combine(x: Expression, values: list[Any], sizes: list[Any] | None = None) ->
 
 
 def sizes_of(tape: Tape, values: list[Any]) -> list[Any]:
-    """Return the sizes of what components and nodes are added up of, to which their values may cancel."""
+    """Return the sizes of the terms of which components and nodes are sums, and which may cancel."""
     sizes = [abs(value) for value in values]
     for k, node in enumerate(tape.nodes, tape.size):
         match node.operation:
@@ -143,7 +151,7 @@ def _slope(node: Node, value: Any, x: list[Any], dx: list[Any]) -> Any:
 
 
 class Branches:
-    """What tells the sides of a program, at states of many copies.
+    """The differences whose signs are the sides of a program, at states of many copies.
 
     Args:
         tape: of the program.
@@ -196,7 +204,7 @@ class Branches:
         sizes = sizes_of(self._tape, known)
         for x in self.watched:
             value, size = combine(x, known, sizes)
-            if np.any(value < -ALONG * size):
+            if np.any(value < -LIMITS.min_slope * size):
                 return False
         return True
 
@@ -205,7 +213,7 @@ class Branches:
         known = self._values(y)
         sizes = sizes_of(self._tape, known)
         each = (combine(x, known, sizes) for x in self.watched)
-        return any(np.any(abs(value) <= AT_ZERO * size) for value, size in each)
+        return any(np.any(abs(value) <= LIMITS.max_at_border * size) for value, size in each)
 
     def sides_of(
         self, y: Float64[np.ndarray, "copies n"], crossed: Array, forth: float, units: Float64[np.ndarray, "copies"],
@@ -231,14 +239,14 @@ class Branches:
             for k, difference in self._moving:
                 value, size = combine(difference, known, sizes)
                 slope, steepness = combine(Expression(self._tape, difference.terms), slopes)
-                near = (abs(value) <= AT_ZERO * np.maximum(size, abs(slope) * units)) | (crossed == k)
-                if np.any(near & np.logical_not(abs(slope) > ALONG * steepness)):
+                near = (abs(value) <= LIMITS.max_at_border * np.maximum(size, abs(slope) * units)) | (crossed == k)
+                if np.any(near & np.logical_not(abs(slope) > LIMITS.min_slope * steepness)):
                     raise Untraceable("a branch on something that moves, along whose border the motion goes")
                 signs[:, k] = np.where(near, forth * slope > 0.0, value > 0.0)
         return [tuple(map(bool, row)) for row in signs]
 
 
-@np.errstate(divide="ignore", invalid="ignore", over="ignore")  # what is no number tells no side
+@np.errstate(divide="ignore", invalid="ignore", over="ignore")  # a NaN has no side
 def settle(
     branches_of: Callable[[Signs], Branches], y: Float64[np.ndarray, "copies n"], signs: list[Signs], crossed: Array,
     forth: float, units: Float64[np.ndarray, "copies"],
@@ -252,17 +260,17 @@ def settle(
         crossed, forth, units: as of ``Branches.sides_of``.
 
     Raises:
-        Untraceable: where no side can be told, as where both sides lead back to a border.
+        Untraceable: where no side can be determined, as where both sides lead back to a border.
     """
     signs = list(signs)
     waiting = np.ones(len(y), bool)
-    for _ in range(ROUNDS):
+    for _ in range(LIMITS.max_rounds):
         for each in set(signs[k] for k in np.flatnonzero(waiting)):
             some = np.array([k for k in np.flatnonzero(waiting) if signs[k] == each])
-            for k, found in zip(some, branches_of(each).sides_of(y[some], crossed[some], forth, units[some]),
-                                strict=True):
-                waiting[k] = found != each
-                signs[k] = found
+            now = branches_of(each).sides_of(y[some], crossed[some], forth, units[some])
+            for k, side in zip(some, now, strict=True):
+                waiting[k] = side != each
+                signs[k] = side
         if not waiting.any():
             return signs
     raise Untraceable("a branch on something that moves, whose sides lead back to each other")

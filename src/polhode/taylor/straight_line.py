@@ -37,7 +37,6 @@ from polhode.taylor.program import (
 )
 from polhode.taylor.vectors import WIDTH
 
-KEPT = 256  # codes
 BLOCKS = 4  # of products of one copy, whose sums are made together
 Terms = Callable[[Any, Any], list[Any]]
 
@@ -58,7 +57,7 @@ def generate_values(program: Program, lanes: int) -> Code:
     return _compile(*program.form_of_code, lanes, program.outputs)
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=256)
 def _compile(whole: bytes, signs: bytes, counts: bytes, lanes: int, outputs: int) -> Code:
     tables = np.frombuffer(whole, np.int64), np.frombuffer(signs, np.int8), np.frombuffer(counts, np.int64)
     written = _Writer(*tables, lanes)

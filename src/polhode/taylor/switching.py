@@ -9,22 +9,31 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode.taylor import kernel
+from polhode.taylor.advancing import advance_copies
 from polhode.taylor.expressions import Untraceable
-from polhode.taylor.flight import fly
 from polhode.taylor.kernel_space import EVENT, HITS, STEPS, TIME, UNIT, Copies, Course
 from polhode.taylor.machine import Machine
 from polhode.taylor.sides import Branches, Signs, settle
 from polhode.types import Array, Bool, Float64, Integer
 
-HELD, STRANDED = -1, -2  # the status of copies that wait while others move, and of those that series take no further
-MOST_CROSSINGS = 20_000  # of a copy, from which on other steps take less time
+HELD, STRANDED = -1, -2  # the status of copies that wait while others move, and of those that series cannot follow
 ROUNDED = 0.25 * float(np.finfo(float).eps)  # of a time, as the root mean square of its rounding
 SIGNS = np.random.default_rng(0).choice([-1.0, 1.0], 1024)  # of roundings, one crossing after another
-MOST_AT_ONCE = 16  # at the same time
-SETTLED, MOST_STEPS = 50, 100_000  # steps since the last crossing, after which a border may not be near, and at most
 APPROACHED = "a branch on something that moves, whose border the motion approaches and never crosses"
-UNSEEN = "a branch on something that moves, whose border it has crossed unseen"
+UNSEEN = "a branch on something that moves, whose border it has crossed undetected"
 TOO_OFTEN = "branches on something that moves, whose borders it crosses too often"
+
+
+class SwitchingLimits(NamedTuple):
+    """Bounds of a copy's crossings, beyond which it has no series."""
+
+    max_crossings: int = 20_000  # from which on other steps take less time
+    max_crossings_at_once: int = 16
+    steps_to_leave: int = 50  # after a crossing, until when a border may be near
+    max_steps: int = 100_000  # after a crossing
+
+
+LIMITS = SwitchingLimits()
 
 
 class Watched(NamedTuple):
@@ -49,19 +58,19 @@ class Watched(NamedTuple):
     size: int = 0
 
 
-def fly_past_branches(
+def advance_past_branches(
     copies: Copies, machine: Machine, build: Callable[..., Machine],
     course_of: Callable[[Copies, Machine, Array, Array], Course], check: Callable[[float], None],
     share: Callable[[float], float], watched: Watched,
 ) -> tuple[Copies, Signs]:  # fmt: skip
-    """Go on up to the end of a course, as ``fly`` does.
+    """Advance copies to the end of a course, as ``advance_copies`` does.
 
     Args:
         copies: which are changed.
         machine: for the sides on which a state is; those of the copies may be others.
         build: returns the machine for other ``signs``.
         course_of: returns the course by a machine; with which watched functions have to fall, and which end it.
-        check, share: as of ``fly``.
+        check, share: as of ``advance_copies``.
         watched: what the machine watches before the borders.
 
     Returns:
@@ -71,14 +80,14 @@ def fly_past_branches(
         Untraceable: naming the copies whose motion goes along a border, crosses too many, or comes to a border from
             two sides; the others have come to the end.
     """
-    journey = _Journey(copies, machine, build, course_of, watched)
-    while (left := np.flatnonzero(journey.open)).size:
-        each = journey.signs[left[0]]
-        together = np.array([k for k in left if journey.signs[k] == each])
-        journey.go_on(each, together, check, share)
-    if (lost := journey.copies.status == STRANDED).any():
-        raise Untraceable(journey.reason, lost)
-    return journey.copies, journey.signs[0]
+    run = _Run(copies, machine, build, course_of, watched)
+    while (left := np.flatnonzero(run.open)).size:
+        each = run.signs[left[0]]
+        together = np.array([k for k in left if run.signs[k] == each])
+        run.go_on(each, together, check, share)
+    if (lost := run.copies.status == STRANDED).any():
+        raise Untraceable(run.reason, lost)
+    return run.copies, run.signs[0]
 
 
 def time_of_roundings(number: int, t: float, count: Any) -> Any:
@@ -86,8 +95,8 @@ def time_of_roundings(number: int, t: float, count: Any) -> Any:
     return SIGNS[number % len(SIGNS)] * ROUNDED * abs(t) * count
 
 
-class _Journey:
-    """Copies on their way, each with the sides on which it is."""
+class _Run:
+    """A run of copies, each with the sides on which it is."""
 
     def __init__(self, copies: Copies, machine: Machine, build: Callable[..., Machine],
                  course_of: Callable[[Copies, Machine, Array, Array], Course], watched: Watched) -> None:  # fmt: skip
@@ -121,7 +130,7 @@ class _Journey:
             check(part)
             self._check_distance(branches, together)
 
-        fly(self.copies, machine, course, check_borders, share, SETTLED)
+        advance_copies(self.copies, machine, course, check_borders, share, LIMITS.steps_to_leave)
         after = status.copy()
         status[:] = before
         status[together] = after[together]
@@ -150,15 +159,15 @@ class _Journey:
         self.crossings[k] += 1
         self.at_once[k] = self.at_once[k] + 1 if now[k, TIME] == self.latest[k] else 0
         self.latest[k], self.steps[k] = now[k, TIME], counts[k, STEPS]
-        if self.crossings[k] > MOST_CROSSINGS or self.at_once[k] > MOST_AT_ONCE:
+        if self.crossings[k] > LIMITS.max_crossings or self.at_once[k] > LIMITS.max_crossings_at_once:
             self._strand([k], TOO_OFTEN)
 
     def _settle(self, some: Integer[np.ndarray, "some"], crossed: Integer[np.ndarray, "copies"]) -> None:
-        """Find the sides on which copies go on, one by one where one of them has none."""
+        """Determine the sides on which copies continue, one by one where one of them has none."""
         some = some[self.open[some]]
         branches_of = lambda each: _branches(self.machine_of(each))  # noqa: E731
         try:
-            found = settle(branches_of, np.asarray(self.copies.y)[some], [self.signs[k] for k in some], crossed[some],
+            signs = settle(branches_of, np.asarray(self.copies.y)[some], [self.signs[k] for k in some], crossed[some],
                            self.forth, np.asarray(self.copies.now)[some, UNIT]) if some.size else []  # fmt: skip
         except Untraceable as error:
             if some.size == 1:
@@ -167,13 +176,13 @@ class _Journey:
                 for k in some:
                     self._settle(np.array([k]), crossed)
             return
-        for k, each in zip(some, found, strict=True):
+        for k, each in zip(some, signs, strict=True):
             if crossed[k] >= 0 and (self.watched.late is not None or self.watched.changes):
                 self._jump(int(k), int(crossed[k]), branches_of(self.signs[k]), branches_of(each))
             self.signs[k] = each
 
     def _jump(self, k: int, crossed: int, before: Branches, after: Branches) -> None:
-        """Let small changes jump where rates do, and show what a rounding of the time of crossing makes."""
+        """Let small changes jump where rates do, and show the effect of a rounding of the time of crossing."""
         y, count, t = np.asarray(self.copies.y), self.watched.changes, float(self.copies.now[k, TIME])
         rates = before.rates_at(y[[k]])
         jump = after.rates_at(y[[k]]) - rates
@@ -192,14 +201,14 @@ class _Journey:
             y[k] -= time_of_roundings(int(self.crossings[k]), t, self.watched.late[k]) * jump
 
     def _check_distance(self, branches: Branches, some: Integer[np.ndarray, "some"]) -> None:
-        """Take copies out that come ever nearer to a border, where steps would shrink to nothing."""
+        """Strand copies that come ever nearer to a border, where steps would shrink to nothing."""
         since = self.copies.counts[some, STEPS] - self.steps[some]
         running = self.copies.status[some] == kernel.RUNNING
-        late = some[(since > SETTLED) & running]
+        late = some[(since > LIMITS.steps_to_leave) & running]
         if late.size and branches.touches_border(np.asarray(self.copies.y)[late]):
             near = [k for k in late if branches.touches_border(np.asarray(self.copies.y)[[k]])]
             self._strand(near, APPROACHED)
-        if (long := some[(since > MOST_STEPS) & running]).size:
+        if (long := some[(since > LIMITS.max_steps) & running]).size:
             self._strand(long, APPROACHED)
 
     def _strand(self, some: Any, reason: str) -> None:

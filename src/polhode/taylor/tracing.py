@@ -11,7 +11,7 @@ import contextlib
 import operator
 from collections.abc import Callable, Iterator, Sequence
 from contextvars import ContextVar
-from typing import Any
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -37,9 +37,15 @@ from polhode.types import Array
 Rule = Callable[[list[Array], dict[str, Any], Any], list[Array]]
 RULES: dict[str, Rule] = {}
 NAMED: dict[str, Callable[..., Array]] = {}  # of functions of polhode's own that JAX compiles by themselves
-MOST_ROUNDS = 1000  # of a loop that is written out
-LARGEST_LINEAR = 4096  # numbers that an operation may take, of which unit vectors are made
 
+class TracingLimits(NamedTuple):
+    """The largest operations that are written out."""
+
+    max_rounds: int = 1000  # of a loop
+    max_linear_size: int = 4096  # numbers of which unit vectors are made
+
+
+LIMITS = TracingLimits()
 
 _keeping: ContextVar[Tape | None] = ContextVar("keeping", default=None)
 EXACT = frozenset({  # operations that round no number
@@ -375,7 +381,7 @@ def _linear(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
     kinds = [equation.invars[k].aval.dtype for k in range(len(x))]
     parts = [2 if jnp.issubdtype(kind, jnp.complexfloating) else 1 for kind in kinds]
     size = sum(x[k].size * parts[k] for k in moving)
-    if size > LARGEST_LINEAR:
+    if size > LIMITS.max_linear_size:
         raise Untraceable(f"`{equation.primitive.name}` of {size} numbers")
     result = equation.outvars[0].aval
     is_complex = jnp.issubdtype(result.dtype, jnp.complexfloating)
@@ -411,7 +417,7 @@ def _linear(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
 def _scan(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
     """Write out a loop whose number of rounds is known."""
     rounds, (known, carried) = parameters["length"], split_scan(parameters)
-    if rounds > MOST_ROUNDS:
+    if rounds > LIMITS.max_rounds:
         raise Untraceable(f"a loop of {rounds} rounds")
     closed = parameters["jaxpr"]
     constants, now, streams = x[:known], x[known : known + carried], x[known + carried :]

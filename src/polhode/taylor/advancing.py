@@ -1,29 +1,36 @@
-"""The state of copies while a kernel moves them from one jump of a system to the next."""
+"""Advances copies of a batch by a kernel from one jump of a system to the next."""
 
 from __future__ import annotations
 
 import math
 import time
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 
 from polhode._base.compiled.threads import in_threads
 from polhode.motion._outcome import Status
 from polhode.taylor import kernel
-from polhode.taylor.kernel_extended import PAIRS
+from polhode.taylor.kernel_extended import ORDERS_IN_PAIRS
 from polhode.taylor.kernel_space import EVENT, NEXT, STEPS, TIME, Copies, Course, exact_for, lanes_for, series_for
 from polhode.taylor.kernels import Kernel, choose_kernel, note, note_rest, write_code
 from polhode.taylor.machine import Machine
 from polhode.types import Array, Float64, Integer
 
-MOST_STEPS = 1_000_000_000  # of a run, about an hour
-SLACK = 1.1e-16  # of what a change of the state by its own size would make
-WORTH = 64  # copies: fewer are not worth a thread
-TRIED = 256  # copies at a time, of which Python computes what is conserved before it asks for a better kernel
+
+class AdvancingLimits(NamedTuple):
+    """Bounds of a run, and of what is worth the effort."""
+
+    max_steps: int = 1_000_000_000  # of a run, about an hour
+    relative_rounding: float = 1.1e-16  # of the change that one of the state by its own size makes: not put back
+    min_copies_of_thread: int = 64
 
 
-def begin_flight(
+LIMITS = AdvancingLimits()
+
+
+def begin_copies(
     machine: Machine, y: Float64[Array, "copies n"], scale: Float64[Array, "copies n"],
     samples: Float64[Array, "copies time n"], first: float, hits: int,
 ) -> Copies:  # fmt: skip
@@ -39,18 +46,18 @@ def begin_flight(
     return Copies(y, low, scale, wanted, slack, np.zeros(copies, np.int64), samples, now, counts, crossed)
 
 
-def fly(
+def advance_copies(
     copies: Copies, machine: Machine, course: Course, check: Callable[[float], None], share: Callable[[float], float],
-    most: int = MOST_STEPS,
+    most: int = LIMITS.max_steps,
 ) -> None:  # fmt: skip
-    """Go on up to the end of a course, with all copies that have not stopped before.
+    """Advance all copies that have not stopped before to the end of a course.
 
     Args:
         copies: which are changed.
         machine: of their system, between two of its jumps.
         course: common to all.
-        check: called with the part of all that is done, between parts of a long run.
-        share: what part of the way a time is.
+        check: called with the completed share of all, between parts of a long run.
+        share: the completed part of the span at a time.
         most: how many steps a part of a run has.
     """
     status = copies.status
@@ -66,7 +73,7 @@ def fly(
         _advance(copies, machine, course, use, running, most)
         seconds = clock() - before
         note(use, running.size, machine.program, seconds)
-        if copies.counts[:, STEPS].max() >= MOST_STEPS:
+        if copies.counts[:, STEPS].max() >= LIMITS.max_steps:
             return
         if (left := np.flatnonzero(status == kernel.RUNNING)).size:
             done = (len(status) - left.size + share(float(copies.now[left[0], TIME]))) / len(status)
@@ -98,13 +105,13 @@ def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, runn
         part = slice(running[low], running[high - 1] + 1)
         rates = series_for(machine.program, orders, use.lanes, code)
         integrals = series_for(machine.integrals, 1, use.lanes, values, machine.integrals.outputs)
-        exact = exact_for(machine.exact, machine.numbers, PAIRS)
+        exact = exact_for(machine.exact, machine.numbers, ORDERS_IN_PAIRS)
         lanes = lanes_for(machine.program, exact, course.order, use.lanes, watched, conserved)
         with np.errstate(all="ignore"):
             use.advance(rates, integrals, Copies(*(x[part] for x in copies)), lanes, course, limit)
 
     if use.is_compiled:  # as Python's threads wait for each other
-        in_threads(fill, running.size, WORTH)
+        in_threads(fill, running.size, LIMITS.min_copies_of_thread)
     else:
         fill(0, running.size)
 
@@ -115,9 +122,10 @@ def integrals_at(
     """Return the conserved quantities at states, in the order of the machine's names, and their derivatives."""
     count, n = len(machine.names), machine.form.size
     columns, first = np.zeros((len(y), count * (1 + n))), 0
+    by_python = 256  # copies at a time, before Python asks for a better kernel
     while count and first < len(y):
         use = choose_kernel(len(y) - first)
-        part = slice(first, len(y) if use.is_compiled else first + TRIED)
+        part = slice(first, len(y) if use.is_compiled else first + by_python)
         states, points = np.zeros(n * use.lanes), np.ascontiguousarray(y[part])
         # the system is asked only where the answer counts, as asking takes longer than a compiled run
         before = 0.0 if use.is_compiled else time.process_time()
@@ -136,4 +144,5 @@ def _evaluate_conserved(machine: Machine, y: Array, scale: Array) -> tuple[Array
     finite = np.where(np.isfinite(scale[:, :n]), scale[:, :n], 0.0)
     with np.errstate(all="ignore"):
         sizes = np.sum(np.abs(slopes) * finite[:, None], axis=-1)
-    return np.where(np.isfinite(values), values, 0.0), SLACK * np.where(np.isfinite(sizes), sizes, 0.0)
+    slack = LIMITS.relative_rounding * np.where(np.isfinite(sizes), sizes, 0.0)
+    return np.where(np.isfinite(values), values, 0.0), slack
