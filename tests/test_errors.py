@@ -5,7 +5,7 @@ import pickle
 import numpy as np
 import pytest
 
-from polhode.errors import LONGEST_MESSAGE, LONGEST_VALUE, FormatError, InvalidInput, printable, shown
+from polhode.errors import LIMITS, FormatError, InvalidInput, printable, shown
 
 
 def nested(depth):
@@ -27,7 +27,7 @@ class Mute:
     ids=lambda value: type(value).__name__,
 )  # fmt: skip
 def test_any_value_is_shown_shortly_and_printably(value):
-    assert 0 < len(shown(value)) <= LONGEST_VALUE and shown(value).isprintable()
+    assert 0 < len(shown(value)) <= LIMITS.max_value and shown(value).isprintable()
 
 
 @pytest.mark.parametrize("value", ["60 rpm", 3, 2.5, True, None, ["1 m", "2 m"], [[1.0, 2.0], [3.0, 4.0]], {"a": 1}])
@@ -49,7 +49,7 @@ def test_only_lines_of_the_message_itself_are_lines():
 
 def test_messages_end():
     text = str(FormatError("begin" + "x" * 10**7 + "end"))
-    assert len(text) <= LONGEST_MESSAGE and text.startswith("begin") and text.endswith("end")
+    assert len(text) <= LIMITS.max_line and text.startswith("begin") and text.endswith("end")
 
 
 def test_what_people_write_stays():

@@ -152,6 +152,18 @@ def test_strict_arrays_through_the_matrix_and_the_exponential(quaternions):
     assert np.abs(np.asarray(rotation.from_rotation_vector(vectors)) ** 2).sum(axis=1) == pytest.approx(1.0)
 
 
+def test_limits_have_two_sides():
+    limits, x = rotation.LIMITS, (1.0, 0.0, 0.0)
+    rotation.rotate((1.0 + 0.9 * limits.max_length_error, 0.0, 0.0, 0.0), x)
+    with pytest.raises(InvalidInput, match="must have length 1"):
+        rotation.rotate((1.0 + 1.1 * limits.max_length_error, 0.0, 0.0, 0.0), x)
+    rotation.from_matrix(np.diag([1.0 + 0.4 * limits.max_orthogonality_error, 1.0, 1.0]))  # its square counts
+    with pytest.raises(InvalidInput, match="must be orthogonal"):
+        rotation.from_matrix(np.diag([1.0 + 0.6 * limits.max_orthogonality_error, 1.0, 1.0]))
+    within, beyond = (rotation.shortest_between(x, (-1.0, k * limits.max_sum_of_opposite, 0.0)) for k in (0.9, 1.1))
+    assert within[0] == 0.0 < beyond[0]
+
+
 @pytest.mark.parametrize(
     ("call", "words"),
     [

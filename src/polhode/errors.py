@@ -3,12 +3,20 @@
 import reprlib
 import sys
 from importlib import metadata
-from typing import Any
+from typing import Any, NamedTuple
 
 __all__ = ["FormatError", "InvalidInput", "NotConverged", "PolhodeError"]
-LONGEST_VALUE = 120  # characters of a value in a message
-LONGEST_MESSAGE = 1900  # characters
 JOINERS = "\u200c\u200d"  # invisible, but Persian, Hindi and emoji are spelt with them
+
+
+class MessageLimits(NamedTuple):
+    """Lengths [characters] from which on messages are shortened."""
+
+    max_value: int = 120  # of a value in a message
+    max_line: int = 1900
+
+
+LIMITS = MessageLimits()
 
 
 class _ShortRepr(reprlib.Repr):
@@ -34,11 +42,11 @@ def shown(value: Any) -> str:
 
     >>> shown("60 rpm")
     "'60 rpm'"
-    >>> len(shown("x" * 10**6)) <= LONGEST_VALUE
+    >>> len(shown("x" * 10**6)) <= LIMITS.max_value
     True
     """
     one_line = " ".join(line.strip() for line in _SHORT.repr(value).split("\n"))  # arrays are written in several
-    return _cut(printable(one_line), LONGEST_VALUE)
+    return _cut(printable(one_line), LIMITS.max_value)
 
 
 def printable(text: str) -> str:
@@ -81,14 +89,14 @@ class PolhodeError(Exception):
     """
 
     def __init__(self, *lines: str) -> None:
-        super().__init__(*(_cut(one_line(str(line)), LONGEST_MESSAGE) for line in lines))
+        super().__init__(*(_cut(one_line(str(line)), LIMITS.max_line) for line in lines))
 
     def __str__(self) -> str:
         return "\n".join(self.args)
 
 
 class InvalidInput(PolhodeError, ValueError):
-    """A value that breaks a rule; the message says which, what came, and what to do."""
+    """A value that breaks a rule; the message names the rule, the value and the remedy."""
 
 
 class NotConverged(PolhodeError, RuntimeError):

@@ -7,7 +7,7 @@ R(p q) = R(p) R(q). Formulas: Shuster, J. Astronaut. Sci. 41 (1993) 439, with th
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -39,9 +39,17 @@ __all__ = [
     "shortest_between",
     "vee",
 ]
-UNIT_TOLERANCE = 1e-6  # a quaternion further from unit length is taken for a mistake, not for rounding
-ORTHOGONALITY_TOLERANCE = 1e-6  # a matrix further from a rotation is taken for a mistake, not for rounding
-OPPOSITE = 4e-16  # length of the sum of two unit vectors below which it is rounding: they are opposite
+
+
+class RotationLimits(NamedTuple):
+    """Errors beyond which an input is refused as a mistake, and a sum that is rounding."""
+
+    max_length_error: float = 1e-6  # of a unit quaternion
+    max_orthogonality_error: float = 1e-6  # of each entry of Rᵀ R
+    max_sum_of_opposite: float = 4e-16  # length of the sum of two unit vectors that are opposite to rounding
+
+
+LIMITS = RotationLimits()
 
 
 def _arrays(**named: Array) -> tuple[Any, list[Array]]:
@@ -126,11 +134,11 @@ def normalize(quaternion: Real[ArrayLike, "*batch 4"]) -> Float64[Array, "*batch
 
 
 def _refuse_not_unit(q: Array) -> None:
-    """Refuse known quaternions that would also stretch; NaN stands for what could not be computed, and passes."""
+    """Refuse quaternions that would also stretch, unless they are traced; NaN, which marks a failure, passes."""
     if is_traced(q):
         return
     lengths = np.linalg.norm(np.asarray(q), axis=-1)
-    wrong = np.abs(lengths - 1.0) > UNIT_TOLERANCE
+    wrong = np.abs(lengths - 1.0) > LIMITS.max_length_error
     if wrong.any():
         raise InvalidInput(
             f"`quaternion` must have length 1; got length {lengths[wrong].flat[0]:.6g}. Divide it by its norm, as "
@@ -141,7 +149,7 @@ def _refuse_not_unit(q: Array) -> None:
 def rotate(
     quaternion: Real[ArrayLike, "*#batch 4"], vector: Real[ArrayLike, "*#batch 3"]
 ) -> Float64[Array, "*batch 3"]:
-    """Return the vector (…, 3) turned from body to space: v + 2w u×v + 2 u×(u×v).
+    """Return the vector (…, 3) rotated from body to space: v + 2w u×v + 2 u×(u×v).
 
     Raises:
         InvalidInput: for a quaternion that is not of unit length.
@@ -150,8 +158,8 @@ def rotate(
     _refuse_not_unit(q)
     (w, *u), components = _parts(q), _parts(v)
     across = [2.0 * x for x in cross_of_parts(u, components)]
-    turned = zip(components, across, cross_of_parts(u, across), strict=True)
-    return xp.stack([x + w * t + further for x, t, further in turned], axis=-1)
+    parts = zip(components, across, cross_of_parts(u, across), strict=True)
+    return xp.stack([x + w * t + further for x, t, further in parts], axis=-1)
 
 
 def as_matrix(quaternion: Real[ArrayLike, "*batch 4"]) -> Float64[Array, "*batch 3 3"]:
@@ -216,7 +224,7 @@ def _refuse_improper(m: np.ndarray) -> None:
         - a[..., 1] * (b[..., 0] * c[..., 2] - b[..., 2] * c[..., 0])
         + a[..., 2] * (b[..., 0] * c[..., 1] - b[..., 1] * c[..., 0])
     )
-    if not np.all(error < ORTHOGONALITY_TOLERANCE):
+    if not np.all(error < LIMITS.max_orthogonality_error):
         raise InvalidInput("`matrix` must be orthogonal, Rᵀ R = 1, to 1e-6; orthogonalise it or check its entries.")
     if not np.all(determinant > 0):
         raise InvalidInput("`matrix` must be a proper rotation, det R = +1; got a reflection. Flip one axis.")
@@ -339,7 +347,7 @@ def shortest_between(
     a, b = _unit(xp, start, "start"), _unit(xp, end, "end")
     between = a + b
     size = xp.sqrt(xp.sum(between * between, axis=-1, keepdims=True))
-    opposite = size < OPPOSITE
+    opposite = size < LIMITS.max_sum_of_opposite
     turn = xp.concat([0.5 * size, _cross(xp, a, between / xp.where(opposite, 1.0, size))], axis=-1)
     half = xp.concat([xp.zeros_like(size), _cross(xp, perpendicular(a), a) + 0.0 * between], axis=-1)
     turn = xp.where(opposite, half, turn)

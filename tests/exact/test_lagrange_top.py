@@ -159,6 +159,11 @@ def test_a_steady_top_precesses_and_spins_at_its_rates():
     assert top.spin_rate == pytest.approx(4.0, rel=PRINTED)
 
 
+def test_an_axis_is_level_to_sixteen_roundings():
+    level, tilted = (steady_precession(MOMENTS, 2.0, math.pi / 2 - cosine, 4.0) for cosine in (3.3e-15, 3.9e-15))
+    assert level.fast is None and tilted.fast > 1e14 and level.slow == pytest.approx(tilted.slow, rel=1e-12)
+
+
 def test_without_weight_it_is_the_free_body():
     moments, momentum, attitude = (2.0, 2.0, 1.0), (0.3, 0.4, 1.2), (0.5, -0.5, 0.5, 0.5)
     top, body = (

@@ -160,6 +160,11 @@ def test_theta(q):
         assert imaginary == pytest.approx([float(w.imag) for w in complex_], rel=1e-14, abs=4 * ABSOLUTE)
 
 
+def test_theta_of_a_larger_nome_is_refused():
+    with pytest.raises(InvalidInput, match=r"`q` must lie in \[0, 0\.2\]"):
+        theta3(0.3, np.nextafter(0.2, 1.0))
+
+
 def test_theta_in_strict_arrays_and_a_broken_one():
     strict = array_api_strict.asarray([0.3, 1.0])
     value = np.asarray(theta3(strict, array_api_strict.asarray(0.04)))

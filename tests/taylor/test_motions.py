@@ -11,6 +11,7 @@ import polhode as ph
 from polhode import fields, spacecraft, systems
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import Taylor
+from polhode.integrators._series import check_sizes
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.machine import build_machine
 from polhode.testing.systems import _draw_states
@@ -242,6 +243,14 @@ def test_slow_and_fast_bodies_move_alike(size):
 def test_states_whose_squares_vanish_or_overflow(size):
     with pytest.raises(InvalidInput, match="`state` must be of a size within 1e-150 to 1e"):
         ph.simulate(BODY, size * START[4:], [0.0, 5.0 / size], Taylor)
+
+
+def test_sizes_and_orders_just_inside_are_taken():
+    check_sizes(np.array([[1e-150], [1e150]]))
+    for size in (0.99e-150, 1.01e150):
+        with pytest.raises(InvalidInput, match="must be of a size within"):
+            check_sizes(np.array([[size]]))
+    assert [Taylor(order).order for order in (4, 60)] == [4, 60]
 
 
 @pytest.mark.parametrize("order", [3, 61])

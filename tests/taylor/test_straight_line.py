@@ -106,7 +106,7 @@ def test_registers_change_no_bit(width, monkeypatch):
     program = random_program(7)
     straight_line._compile.cache_clear()
     monkeypatch.setattr(straight_line, "most_together", lambda: 3)
-    monkeypatch.setattr(straight_line, "BLOCKS", 1)
+    monkeypatch.setattr(straight_line, "LIMITS", straight_line.LIMITS._replace(blocks_together=1))
     by_tables, by_code = by_tables_and_by_code(program, width)
     straight_line._compile.cache_clear()
     np.testing.assert_array_equal(by_code, by_tables)

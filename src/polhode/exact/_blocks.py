@@ -14,15 +14,13 @@ from polhode.types import Array, ArrayOrFloat, Float64, Shaped
 Vectors = tuple[Float64[Array, "..."], ...]
 Columns = tuple[Shaped[ArrayOrFloat, "..."], ...]  # numbers and whether something holds, for each body
 Constants = Columns | Float64[np.ndarray, "constants *bodies"]  # of motions: nothing for JAX, or numbers alone
-BODIES = 16_384  # bodies at a time: set-up is thousands of calls, whose overhead outweighs the cache
-JACOBIANS = 1024  # derivatives at a time, of which each is some ten states
 # glibc returns freed memory to the system above a threshold that it raises to the largest block freed so far; without
 # this one, every block's temporaries would be faulted in again, which costs a third of the time
 np.empty(4_000_000)
 
 
 def columns_in_blocks(prepare: Callable[..., Columns], arguments: Vectors) -> Columns:
-    """Return what ``prepare`` makes of arrays (…, k), as flat columns of their common batch shape."""
+    """Return the columns that ``prepare`` computes from arrays (…, k), flat, for their common batch shape."""
     shape = np.broadcast_shapes(*(v.shape[:-1] for v in arguments))
     if is_jax(*arguments):
         xp = namespace(*arguments)
@@ -30,7 +28,8 @@ def columns_in_blocks(prepare: Callable[..., Columns], arguments: Vectors) -> Co
     flat = [np.broadcast_to(v, (*shape, v.shape[-1])).reshape(-1, v.shape[-1]) for v in arguments]
     with np.errstate(all="ignore"):
         count = len(flat[0])
-        length = math.ceil(count / max(1, math.ceil(count / BODIES)))  # equal parts
+        # equal parts, large ones: set-up is thousands of calls, whose overhead outweighs the cache
+        length = math.ceil(count / max(1, math.ceil(count / 16_384)))
         columns = prepare(*(v[:length] for v in flat))
         if count > length:
             first, columns = columns, tuple(np.empty(count, np.asarray(column).dtype) for column in columns)
@@ -70,9 +69,9 @@ def in_blocks(
     whole = [xp.broadcast_to(x, (*shape, *x.shape[x.ndim - core :])) for x, core in zip(arguments, cores, strict=True)]
     if is_jax(*arguments):
         return columns(*whole)
-    size = math.prod(shape)
+    size, length = math.prod(shape), 1024  # derivatives at a time, of which each is some ten states
     flat = [x.reshape(size, *x.shape[len(shape) :]) for x in whole]
     with np.errstate(all="ignore"):
-        parts = [columns(*(x[k : k + JACOBIANS] for x in flat)) for k in range(0, max(size, 1), JACOBIANS)]
+        parts = [columns(*(x[k : k + length] for x in flat)) for k in range(0, max(size, 1), length)]
     joined = np.concatenate(parts)
     return joined.reshape(*shape, *joined.shape[1:])

@@ -22,14 +22,23 @@ from polhode.exact._blocks import Columns, Vectors, columns_in_blocks
 from polhode.types import Array, Float64
 
 COMMON = tuple(f"polhode.exact.{name}" for name in ("_kernel_arithmetic", "_kernel_agm", "_formulas", "_kernel_loops"))
-STATE, SET_UP = 7e-6, 1.5e-4  # s that Python takes for a state, and for a body, about
-COMPILING = {"set_up": 6.0, "states_of_one": 1.5, "states_of_many": 2.5}  # s that compiling a kernel takes, about
 ARITHMETIC = "polhode.exact._compiled_arithmetic"  # which imports Numba
 State = tuple[float, float, float, float, float, float, float]
 
 
+class CompilingTimes(NamedTuple):
+    """About how long compiling a kernel takes [s]: after so much time in Python it is worth it."""
+
+    set_up: float = 6.0
+    states_of_one: float = 1.5
+    states_of_many: float = 2.5
+
+
+COMPILING = CompilingTimes()._asdict()
+
+
 class Kernels(NamedTuple):
-    """What Python runs, or Numba has compiled, or will when it is called; see the kernels for what each does."""
+    """Functions of Python, or of Numba, compiled or when first called; the kernels describe each."""
 
     unflatten: Callable[..., Any]
     state_at: Callable[..., State]
@@ -90,7 +99,7 @@ class ClosedForm:
         flat = [np.broadcast_to(v, (*shape, np.shape(v)[-1])).reshape(-1, np.shape(v)[-1]) for v in arguments]
         count = math.prod(shape)
         columns, left = np.empty((self._constant("_formulas", "COLUMNS"), count)), np.ones(count, bool)
-        if self._is_worth("set_up", SET_UP * count):
+        if self._is_worth("set_up", 1.5e-4 * count):  # s that Python takes for a body, about
             self._set_up_many(flat, columns, left)
         else:
             for k in range(count):
@@ -141,7 +150,8 @@ class ClosedForm:
         times, rests = (_own(np.broadcast_to(x, shape)).reshape(-1) for x in (elapsed, rest))
         count = math.prod(batch)
         flat = columns.reshape(len(columns), count)
-        compiled = self._is_worth("states_of_one" if count == 1 else "states_of_many", STATE * len(times))
+        seconds = 7e-6 * len(times)  # that Python takes, about
+        compiled = self._is_worth("states_of_one" if count == 1 else "states_of_many", seconds)
         bodies = None if count == 1 else np.broadcast_to(np.arange(count).reshape(batch), shape).reshape(-1)
         outputs = np.empty((len(times), 4)), np.empty((len(times), 3))  # apart, as strided ones would not do for others
         if not compiled:

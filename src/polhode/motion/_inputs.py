@@ -11,7 +11,7 @@ import numpy as np
 
 from polhode._base.arrays import as_float64, compiled, is_jax, is_traced, namespace
 from polhode.errors import InvalidInput, shown
-from polhode.rotation import UNIT_TOLERANCE
+from polhode.rotation import LIMITS as ROTATION_LIMITS
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, FloatOrArray, Integer, Real, Shaped
 
 MOST_RADIANS = 1e27  # of a phase, which has 104 bits
@@ -126,7 +126,7 @@ def _good(xp: Any, moments: Array, attitude: Array) -> tuple[Array, Array]:
     w, x, y, z = (attitude[..., k : k + 1] for k in range(4))
     length = xp.sqrt((w * w + x * x) + (y * y + z * z))
     good = (moments > 0) & xp.isfinite(moments)
-    return good[..., 0:1] & good[..., 1:2] & good[..., 2:3], xp.abs(length - 1.0) < UNIT_TOLERANCE
+    return good[..., 0:1] & good[..., 1:2] & good[..., 2:3], xp.abs(length - 1.0) < ROTATION_LIMITS.max_length_error
 
 
 def _nan_where_bad(moments: Array, momentum: Array, attitude: Array) -> tuple[Array, Array, Array]:

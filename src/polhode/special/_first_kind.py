@@ -7,8 +7,6 @@ from polhode.special import _doubledouble as dd
 from polhode.special._doubledouble import DoubleDouble
 from polhode.types import Array
 
-STEPS = 20  # nine halve the exponent of the smallest ratio, the rest divide the spread by four
-
 
 def first_kind(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
     """Return R_F(x, y, 1) = ½ ∫₀^∞ dt / √((t+x)(t+y)(t+1)) for x, y ≥ 0, not both zero.
@@ -24,7 +22,8 @@ def first_kind(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble:
         lam = dd.add(dd.add(dd.multiply(ra, rb), dd.multiply(rb, rc)), dd.multiply(rc, ra))
         return tuple(part for v in (a, b, c) for part in dd.scale(dd.add(v, lam), 0.25))
 
-    now = iterate(STEPS, step, (*x, *y, *one), like=x[0])
+    # nine steps halve the exponent of the smallest ratio, the rest divide the spread by four
+    now = iterate(20, step, (*x, *y, *one), like=x[0])
     a, b, c = now[0:2], now[2:4], now[4:6]
     # DLMF 19.36.1 in X = 1 − a/mean, …, with X + Y + Z = 0. After the steps |X| < 1e-7 even where x = 0 and y = 1e-300,
     # so that order 5 is enough, and the correction, below 1e-15, needs no second float.

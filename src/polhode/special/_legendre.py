@@ -14,8 +14,6 @@ import numpy as np
 from polhode._base.arrays import namespace
 from polhode.types import Array, Float64
 
-BLOCK = 8
-TERMS = 64  # of series in x ≤ ½, whose terms fall as xⁿ/n: the rest is below 1e-19 of the sum
 EULER = 0.57721566490153286061
 
 
@@ -63,13 +61,13 @@ def legendre_function(kappa: float) -> LegendreFunction:
     # −ν and ν + 1 are the roots of z(1 − z) = κ: both real or conjugates of each other, so that ψ(n−ν) + ψ(n+ν+1) is
     # real, and (n − ν)(n + ν + 1) = n(n+1) + κ
     nu = -0.5 + np.sqrt(complex(0.25 - kappa))
-    near, far = [1.0], []
-    for n in range(TERMS):
+    near, far, terms = [1.0], [], 64  # in x ≤ ½ terms fall as xⁿ/n: the rest is below 1e-19 of the sum
+    for n in range(terms):
         pair = digamma(n - nu) + digamma(n + nu + 1.0)
         far.append(near[n] * float((2.0 * _digamma(n + 1) - pair).real))
         near.append(near[n] * (n * (n + 1.0) + kappa) / (n + 1.0) ** 2)
     sine = float((np.sin(np.pi * (nu + 1.0)) / np.pi).real)
-    return LegendreFunction(np.array(near[:TERMS]), np.array(far), np.asarray(sine))
+    return LegendreFunction(np.array(near[:terms]), np.array(far), np.asarray(sine))
 
 
 def _digamma(n: int) -> float:
@@ -80,11 +78,12 @@ def _digamma(n: int) -> float:
 def _sum(coefficients: Array, x: Array) -> tuple[Array, Array]:
     """Return a power series and its derivative, by Horner's rule in blocks: 14 steps to compile instead of 63."""
     xp = namespace(x)
-    blocks = xp.reshape(xp.asarray(coefficients), (TERMS // BLOCK, BLOCK))
+    block = 8
+    blocks = xp.reshape(xp.asarray(coefficients), (coefficients.shape[0] // block, block))
     inside = x[..., None] if x.ndim else xp.reshape(x, (1,))
-    values, slopes = _horner([blocks[:, n] for n in range(BLOCK)], [0.0] * BLOCK, inside, 1.0)
-    count = range(TERMS // BLOCK)
-    return _horner([values[..., k] for k in count], [slopes[..., k] for k in count], x**BLOCK, BLOCK * x ** (BLOCK - 1))
+    values, slopes = _horner([blocks[:, n] for n in range(block)], [0.0] * block, inside, 1.0)
+    count = range(blocks.shape[0])
+    return _horner([values[..., k] for k in count], [slopes[..., k] for k in count], x**block, block * x ** (block - 1))
 
 
 def _horner(coefficients: list[Array], slopes: list[Any], y: Array, dy: Any) -> tuple[Array, Array]:

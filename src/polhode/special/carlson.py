@@ -6,15 +6,22 @@ Arguments are scaled by powers of four first, so that only their ratios matter. 
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from polhode._base.arrays import as_float64, forward_columns, is_jax, is_traced, iterate, iterate_until, namespace
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Float64, Real
 
-STEPS = 22  # halve the exponent of the largest ratio about nine times, then divide the spread by four
-MOST_STEPS = 600  # a large p of R_J shrinks by four a step only
-CONVERGED = 2e-3  # of the relative spread, whose eighth power the closing series leaves
+
+class DuplicationLimits(NamedTuple):
+    """When duplication ends."""
+
+    steps: int = 22  # halve the exponent of the largest ratio about nine times, then divide the spread by four
+    max_steps: int = 600  # of R_J, as a large p shrinks by four a step only
+    max_spread: float = 2e-3  # relative, of R_J; the closing series leaves its eighth power
+
+
+LIMITS = DuplicationLimits()
 
 
 def carlson_rf(
@@ -38,7 +45,7 @@ def carlson_rf(
         lam = _lambda(xp, a, b, c)
         return 0.25 * (a + lam), 0.25 * (b + lam), 0.25 * (c + lam)
 
-    x, y, z = iterate(STEPS, step, (x, y, z), like=x)
+    x, y, z = iterate(LIMITS.steps, step, (x, y, z), like=x)
     mean = (x + y + z) / 3.0
     # the elementary symmetric functions of X, Y, Z, of which the first, X + Y + Z, is zero
     X, Y = 1.0 - x / mean, 1.0 - y / mean
@@ -83,7 +90,7 @@ def carlson_rd(
         return 0.25 * (a + lam), 0.25 * (b + lam), 0.25 * (c + lam), total, 0.25 * power
 
     zero = 0.0 * (x + y + z)
-    x, y, z, total, power = iterate(STEPS, step, (x + zero, y + zero, z + zero, zero, 1.0 + zero), like=x)
+    x, y, z, total, power = iterate(LIMITS.steps, step, (x + zero, y + zero, z + zero, zero, 1.0 + zero), like=x)
     # c counts three times: E_k are the symmetric functions of (X, Y, Z, Z, Z), where X + Y + 3Z = 0
     mean = (x + y + 3.0 * z) / 5.0
     X, Y = 1.0 - x / mean, 1.0 - y / mean
@@ -131,12 +138,12 @@ def _third_kind(x: Array, y: Array, z: Array, p: Array) -> Array:
 
     def finished(*now: Array) -> Array:
         mean = (now[0] + now[1] + now[2] + 2.0 * now[3]) / 5.0
-        close = [xp.abs(v - mean) < CONVERGED * mean for v in now[:4]]
+        close = [xp.abs(v - mean) < LIMITS.max_spread * mean for v in now[:4]]
         return close[0] & close[1] & close[2] & close[3]
 
     zero = 0.0 * (x + y + z + p)
     start = (x + zero, y + zero, z + zero, p + zero, zero, 1.0 + zero)
-    x, y, z, p, total, power = iterate_until(step, finished, start, at_once=6, most=MOST_STEPS)
+    x, y, z, p, total, power = iterate_until(step, finished, start, at_once=6, most=LIMITS.max_steps)
     # p counts twice: E_k are the symmetric functions of (X, Y, Z, P, P), where X + Y + Z + 2P = 0
     mean = (x + y + z + 2.0 * p) / 5.0
     X, Y, Z = 1.0 - x / mean, 1.0 - y / mean, 1.0 - z / mean

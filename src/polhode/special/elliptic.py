@@ -19,7 +19,6 @@ from polhode.types import Array, ArrayLike, ArrayOrFloat, Bool, Float64, Real
 
 Operand = Float64[ArrayOrFloat, "*#shape"]
 Result = Float64[Array, "*shape"]
-FARTHEST = 700.0  # of the hyperbolic argument: beyond it e^x overflows
 SMALLEST_SQUARE = math.exp(-2.0 * 340.0)  # of e^−x, whose inverse is the integral's size
 
 
@@ -59,7 +58,7 @@ def incomplete_f(angle: Real[ArrayLike, "*#shape"], m1: Real[ArrayLike, "*#shape
     """Return F(φ | m) for |φ| ≤ π/2."""
     xp, m1 = _parameter(m1, angle)
     s, cc, dd_ = _amplitude_squares(xp, angle, m1)
-    # DLMF 19.25.5, homogeneity having turned csc²φ into 1
+    # DLMF 19.25.5, scaled so that csc²φ becomes 1
     return s * carlson_rf(cc, dd_, 1.0 + 0.0 * cc)
 
 
@@ -228,7 +227,7 @@ def _hyperbolic(
     v = xp.where(full, 0.5, side * rest[0])
     x, low = dd.two_sum(v, -v * shrink)
     low = low + xp.where(full, 0.0, side * rest[1]) * (1.0 - shrink)
-    x = xp.minimum(x, FARTHEST + 0.0 * x)
+    x = xp.minimum(x, 700.0 + 0.0 * x)  # beyond it e^x overflows
     decay = xp.exp(-x) * (1.0 - low)
     h = xp.maximum(decay * decay, SMALLEST_SQUARE + 0.0 * decay)
     r = xp.where(q > 0, xp.exp(-2.0 * xp.where(full, 0.0, to_quarter) / t3**2), 0.0)  # = q e^2x ≤ 1

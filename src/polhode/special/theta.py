@@ -6,12 +6,20 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from polhode._base.arrays import as_float64, known_false, namespace
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
-LARGEST_NOME = 0.2  # by the imaginary transformation e^−π = 0.043 is enough for any lattice
-TERMS = 6  # q^36 is below 1e-25 then
+
+class ThetaLimits(NamedTuple):
+    """What the series are accurate for."""
+
+    max_nome: float = 0.2  # with the imaginary transformation e^−π = 0.043 is enough for any lattice
+
+
+LIMITS = ThetaLimits()
 
 
 def theta1(z: Real[ArrayLike, "*#shape"], q: Real[ArrayLike, "*#shape"]) -> Float64[Array, "*shape"]:
@@ -46,12 +54,12 @@ def theta(
         raise InvalidInput(f"`kind` must be 1, 2, 3 or 4; got {shown(kind)}.")
     xp = namespace(z, y, q)
     z, y, q = (as_float64(xp, v, name) for v, name in ((z, "z"), (y, "y"), (q, "q")))
-    if known_false(xp.all((q >= 0) & (q <= LARGEST_NOME))):
-        raise InvalidInput("`q` must lie in [0, 0.2]; take the complementary nome for larger ones.")
+    if known_false(xp.all((q >= 0) & (q <= LIMITS.max_nome))):
+        raise InvalidInput(f"`q` must lie in [0, {LIMITS.max_nome:g}]; take the complementary nome for larger ones.")
     # sin ω(z+iy) = sin ωz cosh ωy + i cos ωz sinh ωy, cos ω(z+iy) = cos ωz cosh ωy − i sin ωz sinh ωy
     zero = 0.0 * (z + y + q)
     real, imaginary = zero + (1.0 if kind > 2 else 0.0), zero
-    for n in range(TERMS):
+    for n in range(6):  # q^36 is below 1e-25
         power = (n + 0.5) ** 2 if kind < 3 else float((n + 1) ** 2)
         frequency = 2.0 * n + (1.0 if kind < 3 else 2.0)
         sign = -1.0 if (kind == 1 and n % 2) or (kind == 4 and n % 2 == 0) else 1.0

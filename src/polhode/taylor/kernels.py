@@ -32,8 +32,6 @@ from polhode.taylor import (
 from polhode.taylor.program import Program
 
 EXTENDED = 2  # for one copy with twice as many digits; other forms are named by how many copies they move at a time
-# s that compiling takes: after slower runs of that time, no run costs more than twice what the better choice would have
-COMPILED = {1: 10.0, lanes.LANES: 12.0, EXTENDED: 12.0}
 COMMON: tuple[ModuleType, ...] = kernel_space, kernel_kepler, kernel_series, kernel_zeros, kernel_invariants, kernel
 MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON),
            EXTENDED: (vectors, kernel_products, doubledouble, *COMMON, kernel_extended)}  # fmt: skip
@@ -45,13 +43,18 @@ Function = Any  # of Numba's or of Python's own
 
 
 class CodeLimits(NamedTuple):
-    """For which programs code is written."""
+    """When kernels are compiled, and for which programs code is written."""
 
+    # about how long compiling takes [s]: after slower runs of that time, no run costs more than twice the better choice
+    seconds_of_one: float = 10.0
+    seconds_of_lanes: float = 12.0
+    seconds_of_extended: float = 12.0
     min_seconds_of_operation: float = 1e-3  # s of slower runs for each operation, in which writing pays off
     max_operations: int = 4000
 
 
 LIMITS = CodeLimits()
+COMPILED = {1: LIMITS.seconds_of_one, lanes.LANES: LIMITS.seconds_of_lanes, EXTENDED: LIMITS.seconds_of_extended}
 
 
 class Kernel(NamedTuple):

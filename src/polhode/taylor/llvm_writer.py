@@ -14,7 +14,6 @@ DOUBLE, INTEGER = ir.DoubleType(), ir.IntType(64)
 VECTOR = ir.VectorType(DOUBLE, WIDTH)
 ADDRESS = DOUBLE.as_pointer()
 SIGNATURE = ir.FunctionType(ir.VoidType(), [ADDRESS] * 4 + [INTEGER, ADDRESS])
-ALIGNED = 8  # bytes, to which all addresses are
 NAME = "run"
 
 
@@ -53,12 +52,12 @@ class Writer:
 
     def load(self, base: Any, place: int, kind: Any = None) -> Any:
         kind = kind or self.kind
-        at = self.builder.gep(base, [INTEGER(place)])
-        return self.builder.load(self.builder.bitcast(at, kind.as_pointer()), align=ALIGNED)
+        at = self.builder.gep(base, [INTEGER(place)])  # all addresses are multiples of eight bytes
+        return self.builder.load(self.builder.bitcast(at, kind.as_pointer()), align=8)
 
     def store(self, value: Any, base: Any, place: int) -> None:
         at = self.builder.gep(base, [INTEGER(place)])
-        self.builder.store(value, self.builder.bitcast(at, value.type.as_pointer()), align=ALIGNED)
+        self.builder.store(value, self.builder.bitcast(at, value.type.as_pointer()), align=8)
 
     def load_number(self, place: int) -> Any:
         """Return one of the program's numbers."""

@@ -26,6 +26,7 @@ class SideLimits(NamedTuple):
     """Thresholds that determine on which side of a branch a motion goes on."""
 
     max_at_border: float = 1e-12  # of the terms of a difference: nearer to zero the direction of the motion decides
+    max_beyond_border: float = 1e-9  # of the terms of a difference: by more, a crossing went undetected
     min_slope: float = 1e-9  # of the terms of its slope: a smaller slope gives no direction
     ratio_rounding: float = 4.0 * float(np.finfo(float).eps)  # of coefficients: one difference is a multiple of another
     max_rounds: int = 8  # in which the sides of all branches must agree
@@ -204,7 +205,7 @@ class Branches:
         sizes = sizes_of(self._tape, known)
         for x in self.watched:
             value, size = combine(x, known, sizes)
-            if np.any(value < -LIMITS.min_slope * size):
+            if np.any(value < -LIMITS.max_beyond_border * size):
                 return False
         return True
 

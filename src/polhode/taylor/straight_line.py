@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from llvmlite import ir
@@ -37,8 +37,16 @@ from polhode.taylor.program import (
 )
 from polhode.taylor.vectors import WIDTH
 
-BLOCKS = 4  # of products of one copy, whose sums are made together
 Terms = Callable[[Any, Any], list[Any]]
+
+
+class CodeLimits(NamedTuple):
+    """The form of the code of one copy."""
+
+    blocks_together: int = 4  # of products, whose sums are interleaved
+
+
+LIMITS = CodeLimits()
 
 
 def generate(program: Program, lanes: int) -> Code:
@@ -190,7 +198,7 @@ class _Writer(Writer):
                 left, right = self._keep(INTEGER(0), now, whole[whole[ARGUMENT] + q])
                 self.store(self.builder.fmul(left, right), now, whole[whole[OUT] + q])
             return
-        for part in _parts(blocks, BLOCKS):
+        for part in _parts(blocks, LIMITS.blocks_together):
             firsts = [whole[whole[ARGUMENT] + q] for q in part]
             for first in firsts:
                 self._keep(k, now, first)

@@ -50,11 +50,11 @@ def state_tangent(values: Values, state: State, changes: Changes) -> Changed:
     length2 = xp.sum(attitude * attitude, axis=-1, keepdims=True)
     relative = rotation.multiply(rotation.conjugate(attitude), attitude_t) / length2
     carried = as_sorted(body, rotation.rotate(rotation.conjugate(relative), d_momentum))
-    seen = tuple(x / scale - y for x, y in zip(carried, change, strict=True))
+    gap = tuple(x / scale - y for x, y in zip(carried, change, strict=True))
     size = xp.where(resting, 1.0, body.G2[0])
     # R L and R0 L0 are one vector: ξ × L = Dᵀ δL0 − δL gives ξ across L. Along it, (L·ξ)˙ = L·δΩ
     # = δE + ½ Σ δ(1/I_i) L_i²
-    turn = tuple((c + x * work) / size for c, x in zip(cross_of_parts(now, seen), now, strict=True))
+    turn = tuple((c + x * work) / size for c, x in zip(cross_of_parts(now, gap), now, strict=True))
     velocity = tuple(x / i for x, i in zip(present, body.moments, strict=True))
     at_rest = tuple(time * rate * e / i for e, i in zip(start_change, body.moments, strict=True))
     turn = tuple(xp.where(resting, r, x) + v * (rate * d_time) for r, x, v in zip(at_rest, turn, velocity, strict=True))

@@ -53,12 +53,12 @@ def unflatten(m: Any) -> Motion:
 
 
 def motion_at(rows: Any, i: int) -> Motion:
-    """Return the motion whose numbers stand in rows."""
+    """Return the motion whose numbers are in rows."""
     return unflatten(record(rows, i, COLUMNS))
 
 
 def sums_at(rows: Any, i: int) -> Spinor:
-    """Return the spinor that stands in rows."""
+    """Return the spinor in rows."""
     return record(rows, i, SUMS)  # type: ignore[return-value]
 
 

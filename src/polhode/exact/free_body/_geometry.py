@@ -14,8 +14,6 @@ from polhode.types import Array, Float64, Integer
 
 REGIMES = ("rest", "spherical", "permanent", "symmetric", "short-axis", "long-axis", "separatrix")
 REST, SPHERICAL, PERMANENT, SYMMETRIC, SHORT_AXIS, LONG_AXIS, SEPARATRIX = range(7)
-SMALL_CAP = 1e-14  # below it the leading term of the cap's area is as exact as the difference it replaces
-
 
 Number = Float64[Array, "*batch"]
 Code = Integer[Array, "*batch"]
@@ -89,7 +87,8 @@ def _solid_angle(
     # a symmetric body's period has no bound near its equator, and the difference no digit left
     sine2, cosine2 = body.P[0] / (body.C[0] * body.G2[0]), body.Q[0] / (body.C[0] * body.G2[0])
     round_cap = 2.0 * math.pi * sine2 / (1.0 + xp.sqrt(cosine2))
-    return xp.where(body.A[0] == 0, round_cap, xp.where(small < SMALL_CAP, cap, angle[0]))
+    smallest = 1e-14  # below it the leading term of the cap's area is as exact as the difference it replaces
+    return xp.where(body.A[0] == 0, round_cap, xp.where(small < smallest, cap, angle[0]))
 
 
 def _regime(moments: Array, momentum: Array, body: Reduction, rates: Frequencies) -> Array:

@@ -129,7 +129,7 @@ def _matrices(
     relative = ((a0, a1, b0, b1), (-b1, b0, -a1, a0), (b0, b1, -a0, -a1), (-a1, a0, b1, -b0))
     mirror = xp.where(body.long_axis, -1.0, 1.0)
     axes = [[mirror * x for x in row] for row in body.axes]
-    turned = [[_sum(axes[i][j] * relative[1 + j][k] for j in range(3)) for i in range(3)] for k in range(4)]
+    rotated = [[_sum(axes[i][j] * relative[1 + j][k] for j in range(3)) for i in range(3)] for k in range(4)]
     axis = _rotation_axis(moments, momentum)
     constant = rates.constant
     zero, one = xp.zeros_like(a0), xp.ones_like(a0)
@@ -137,7 +137,7 @@ def _matrices(
     columns = []
     for k in range(4):
         scalar = xp.where(constant, one if k == 0 else zero, relative[0][k])
-        vector = tuple(xp.where(constant, axis[i] if k == 1 else zero, turned[k][i]) for i in range(3))
+        vector = tuple(xp.where(constant, axis[i] if k == 1 else zero, rotated[k][i]) for i in range(3))
         columns.append(product_of_parts(start, (scalar, *vector)))
     size = rates.G[0] * body.momentum_scale
     to_momentum = tuple(

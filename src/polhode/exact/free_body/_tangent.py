@@ -18,8 +18,6 @@ from polhode.exact.free_body._tangent_kernel import Kernel, elliptic_kernel
 from polhode.special import _doubledouble as dd
 from polhode.types import Array, Bool, Float64
 
-LEAST_KAPPA = 1e-306
-FARTHEST = 340.0
 Number = Float64[Array, "*batch"]
 Flag = Bool[Array, "*batch"]
 Vector = tuple[Number, Number, Number]
@@ -141,7 +139,8 @@ def canonical_form(prepared: Prepared) -> Canonical:
     # S vanishes only on the separatrix; where it underflows near the saddle its root does not
     kappa = C * (body.root_S[0] / V) * body.root_S[0]
     # nearer still κ underflows too, and a derivative without it would be wrong
-    kappa = xp.where((kappa > LEAST_KAPPA) | rates.constant, kappa, xp.nan)
+    least = 1e-306
+    kappa = xp.where((kappa > least) | rates.constant, kappa, xp.nan)
     kappa = xp.where(rates.separatrix, 0.0, kappa)
     return Canonical(A, B, C, P, Q, S, b, g, kappa, g <= kappa, body.long_axis)
 
@@ -165,7 +164,8 @@ def _passage(prepared: Prepared, form: Canonical, time: Array) -> Passage:
     w = dd.where(separatrix, unlimited, dd.multiply(rest, two_K))
     w = dd.where(moving, w, (zero, zero))
     # e^2w, by which a motion away from the saddle magnifies changes, must not overflow
-    w = dd.where(xp.abs(w[0]) > FARTHEST, (xp.where(w[0] < 0, -FARTHEST, FARTHEST), zero), w)
+    largest = 340.0
+    w = dd.where(xp.abs(w[0]) > largest, (xp.where(w[0] < 0, -largest, largest), zero), w)
     K = 0.5 * two_K[0]
     side = xp.where(rest[0] < 0, -1.0, 1.0)
     to_quarter = xp.where(separatrix, xp.inf, K * ((1.0 - 2.0 * xp.abs(rest[0])) - 2.0 * side * rest[1]))
@@ -194,9 +194,9 @@ def _passage(prepared: Prepared, form: Canonical, time: Array) -> Passage:
     s, c, d = (xp.where(middle, x, y) for x, y in zip(kernel[:3], second[:3], strict=True))
     P, Q, C = form.P, form.Q, xp.where(form.C > 0, form.C, 1.0)
     by_phase = xp.sqrt(P / C) * c, xp.sqrt(P) * xp.sqrt(Q) * s, xp.sqrt(Q / C) * d
-    turned = (half_turn * side * odd, side * odd, half_turn)
-    turned = tuple(xp.where(middle, 1.0, x) for x in turned)
-    by_phase = tuple(x * y for x, y in zip(turned, by_phase, strict=True))
+    flips = (half_turn * side * odd, side * odd, half_turn)
+    flips = tuple(xp.where(middle, 1.0, x) for x in flips)
+    by_phase = tuple(x * y for x, y in zip(flips, by_phase, strict=True))
     by_addition = _addition_theorem(form, kernel, first)
     added = form.full | rates.constant
     last = tuple(xp.where(added, x, y) for x, y in zip(by_addition, by_phase, strict=True))

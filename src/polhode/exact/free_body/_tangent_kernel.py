@@ -13,10 +13,6 @@ from polhode._base.arrays import namespace
 from polhode.special.elliptic import jacobi_at_reduced_phase, nome, sd_squared_over_half_period
 from polhode.types import Array, ArrayOrFloat, Float64
 
-SMALL = 0.5  # |u| below which the series in u² are used
-TERMS = 14  # the first term left out is below 1e-17 there
-
-
 Number = Float64[Array, "*batch"]
 Operand = Float64[ArrayOrFloat, "*#shape"]
 
@@ -60,7 +56,7 @@ def elliptic_kernel(
     u = xp.where(positive, rate * time, 0.0)
     # ∫sn² du, by t = s c/d + bρ + κσ
     G = u - sine * cosine / delta - m1 * F
-    small = xp.abs(u) < SMALL
+    small = xp.abs(u) < 0.5  # where the series in u² are used
     X = xp.where(small, b * time * time, 0.0)
     y, over_sn, over_sd = _series(X, m, m1)
     s = xp.where(small, time * xp.sqrt(y), sine / rate)
@@ -81,7 +77,7 @@ def _series(X: Array, m: Array, m1: Array) -> tuple[Array, Array, Array]:
 
     def coefficients(linear: Array, square: Array) -> list[Array]:
         e = [xp.ones_like(X)]
-        for k in range(1, TERMS):
+        for k in range(1, 14):  # the first term left out is below 1e-17
             products = e[0] * 0.0
             for j in range(k - 1):
                 products = products + e[j] * e[k - 2 - j]

@@ -7,19 +7,27 @@ h = (a² + |w|² − G s)/4, which follows from 2α' = i a α − w̄ β, 2β' =
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from polhode._base.arrays import is_jax, iterate, namespace, stop_gradient
 from polhode.types import Array, ArrayOrFloat, Complex128, Float64
 
-ORDER = 24
-STEP = 0.75  # rate times length of a step; what is left out is below 1e-17
-MOST_STEPS = 4000  # of one flow; a top on the separatrix is upright long before
-SMALL_TILT = 0.5  # largest 1 − cos θ for which only β is stepped
 Number = Float64[ArrayOrFloat, "..."] | Complex128[Array, "..."]  # complex steps differentiate
 Start = tuple[Number, ...]  # Re and Im of α, β and w, then G and a
+
+
+class FlowLimits(NamedTuple):
+    """The series of a step, and where only β is stepped."""
+
+    order: int = 24
+    max_step: float = 0.75  # rate times length: the terms left out are below 1e-17
+    max_steps: int = 4000  # of one flow; a top on the separatrix is upright long before
+    max_upright_tilt: float = 0.5  # 1 − cos θ up to which only β is stepped
+
+
+LIMITS = FlowLimits()
 
 
 def slopes(start: Start) -> tuple[Number, ...]:
@@ -46,7 +54,7 @@ def flow(start: Start, tau: Number, D: Number, tilt: Number) -> tuple[Number, ..
     s = 2.0 * (start[2] ** 2 + start[3] ** 2)
     loose = 2.0 * G - a * a - (start[4] ** 2 + start[5] ** 2) + G * s
     D = D + (loose - _constant(xp, loose))
-    slow = tilt < SMALL_TILT
+    slow = tilt < LIMITS.max_upright_tilt
     everywhere = _everywhere(start, xp.where(slow, 0.0, tau), D)
     near = _near_upright(start, xp.where(slow, tau, 0.0), D, tilt)
     return tuple(xp.where(slow, x, y) for x, y in zip(near, everywhere, strict=True))
@@ -58,10 +66,10 @@ def _constant(xp: Any, value: Array) -> Array:
 
 
 def _steps(xp: Any, rate: Array, tau: Array) -> Array:
-    """Return the number of steps, the same for all of a batch."""
+    """Return the number of steps, one for all of a batch."""
     turn = _constant(xp, rate) * xp.abs(tau)
-    count = xp.ceil(xp.max(xp.where(turn > 0, turn, 0.0)) / STEP)  # NaN counts for nothing
-    return xp.asarray(xp.minimum(xp.maximum(count, 1.0), float(MOST_STEPS)), dtype=xp.int64)
+    count = xp.ceil(xp.max(xp.where(turn > 0, turn, 0.0)) / LIMITS.max_step)  # NaN counts for nothing
+    return xp.asarray(xp.minimum(xp.maximum(count, 1.0), float(LIMITS.max_steps)), dtype=xp.int64)
 
 
 def _everywhere(start: Start, tau: Array, D: Array) -> tuple[Array, ...]:
@@ -100,7 +108,7 @@ def _near_upright(start: Start, tau: Array, D: Array, tilt: Array) -> tuple[Arra
     xp = namespace(*start)
     ar, ai, br, bi, wr, wi, G, a = start
     # where this form is not used, anything regular
-    slow = tilt < SMALL_TILT
+    slow = tilt < LIMITS.max_upright_tilt
     ar, ai, br, bi = (xp.where(slow, v, x) for v, x in zip((ar, ai, br, bi), (1.0, 0.0, 0.0, 0.0), strict=True))
     ready = (ar, ai, br, bi, wr, wi, G, a)
     dbr, dbi = slopes(ready)[2:4]
@@ -141,7 +149,7 @@ def _dot(xp: Any, x: Array, y: Array, k: Any) -> Array:
     """Return Σ_j x_j y_{k−j}; coefficients beyond k are still zero, so a traced index may wrap."""
     if isinstance(k, int):
         return np.einsum("j...,j...->...", x[: k + 1], y[k::-1])
-    return xp.sum(x * y[k - xp.arange(ORDER + 1)], axis=0)
+    return xp.sum(x * y[k - xp.arange(LIMITS.order + 1)], axis=0)
 
 
 def _square(xp: Any, series: Array, k: Array) -> Array:
@@ -156,7 +164,7 @@ def _taylor(xp: Any, now: Array, length: Array, products: Any, rates: Any) -> Ar
     """
     if not is_jax(now):
         return _taylor_in_place(now, length, products, rates)
-    index = xp.reshape(xp.arange(ORDER + 1), (ORDER + 1,) + (1,) * now.ndim)
+    index = xp.reshape(xp.arange(LIMITS.order + 1), (LIMITS.order + 1,) + (1,) * now.ndim)
     idle = xp.zeros((len(products), *now.shape[1:]), dtype=xp.float64)
     series = xp.where(index == 0, xp.concat([now, idle])[None], 0.0)
     rows = now.shape[0]
@@ -172,16 +180,16 @@ def _taylor(xp: Any, now: Array, length: Array, products: Any, rates: Any) -> Ar
             series = put(series, rows + number, k, product(series, k)[None])
         return k + 1, put(series, 0, k + 1, rates(series, k) * (length / (k + 1)))
 
-    series = iterate(ORDER, add_order, (xp.asarray(0, dtype=xp.int64), series), like=now)[1]
+    series = iterate(LIMITS.order, add_order, (xp.asarray(0, dtype=xp.int64), series), like=now)[1]
     return xp.sum(series[::-1, :rows], axis=0)
 
 
 def _taylor_in_place(now: Array, length: Array, products: Any, rates: Any) -> Array:
     """Return what ``_taylor`` does, on NumPy."""
     rows = now.shape[0]
-    series = np.zeros((ORDER + 1, rows + len(products), *now.shape[1:]), dtype=np.result_type(now, length))
+    series = np.zeros((LIMITS.order + 1, rows + len(products), *now.shape[1:]), dtype=np.result_type(now, length))
     series[0, :rows] = now
-    for k in range(ORDER):
+    for k in range(LIMITS.order):
         for number, product in enumerate(products):
             series[k, rows + number] = product(series, k)
         series[k + 1, :rows] = rates(series, k) * (length / (k + 1))

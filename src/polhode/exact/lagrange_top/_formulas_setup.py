@@ -1,8 +1,8 @@
 """From a top's invariants to the constants of its motion: turning points, rates, theta series and phases.
 
 The invariants are those of ``reduction``; pairs are double-double. The turning points are the roots u1 ≤ u2 ≤ 1 ≤ u3 of
-u̇² = (α − βu)(1 − u²) − (b − au)². One of them stands apart from the other two, which follow from sums and products of
-roots without cancellation, whatever coincides. Source: Whittaker, *Analytical Dynamics*, §71–73, for the cubic.
+u̇² = (α − βu)(1 − u²) − (b − au)². One of them is well separated from the other two, which follow from sums and products
+of roots without cancellation, whatever coincides. Source: Whittaker, *Analytical Dynamics*, §71–73, for the cubic.
 """
 
 from __future__ import annotations
@@ -126,7 +126,7 @@ def turning_points_of(
     is_upper: bool, lone_root: Pair, g: Pair, safe: Pair, s0: Pair, t0: Pair, p2: Pair, c2: Pair, c_plus: Pair, f: Pair,
     f1: Pair,
 ) -> TurningPoints:  # fmt: skip
-    """Return the turning points from the root that stands apart, Y or else s1; ``safe`` is G, where it is positive."""
+    """Return the turning points from the separate root, Y or else s1; ``safe`` is G, where it is positive."""
     x = _upper_root_apart(g, s0, p2, c2, f1, lone_root)
     y = _lower_root_apart(safe, s0, p2, c2, f, lone_root)
     upper, apart = choice(is_upper, x[1], y[1]), choice(is_upper, x[7], y[7])

@@ -89,7 +89,7 @@ def _cosine(xp: Any, s: DoubleDouble, t: DoubleDouble) -> Array:
 def _regime(top: Reduction, points: TurningPoints, rates: Frequencies) -> Array:
     """Signs of polynomials in the given floats decide; only the steady top needs the computed gap u2 − u1.
 
-    The azimuth stands still where p_φ = a u; there |w|² = lean/a, which is positive inside the nutation's range.
+    The azimuth is at rest where p_φ = a u; there |w|² = lean/a, which is positive inside the nutation's range.
     """
     xp = namespace(top.reversed)
     a, c, c_plus, lean = top.momentum[2], top.c[0], top.c_plus[0], top.lean[0]

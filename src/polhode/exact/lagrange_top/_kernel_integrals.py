@@ -60,7 +60,7 @@ def _far(s: Any, count: int, close: float) -> int:
 
 @called
 def _duplicate(s: Any, count: int) -> None:
-    """Take a step of the duplication with those that need it, so that none depends on what stands beside it."""
+    """Take a step of the duplication with those that need it, so that none depends on its neighbours."""
     for i in range(count):
         x, y, z = s[X + i], s[Y_ + i], s[Z + i]
         near = _widest(x, y, z) <= CLOSE
@@ -73,7 +73,7 @@ def _duplicate(s: Any, count: int) -> None:
 
 @called
 def _first_kind(s: Any, count: int) -> None:
-    """Put R_F(x, y, 1) of what stands in two rows into the first; NaN where it has not converged."""
+    """Put R_F(x, y, 1) of two rows into the first; NaN where it has not converged."""
     for i in range(count):
         s[Z + i] = 1.0
     left = MOST_STEPS
@@ -102,7 +102,7 @@ def _duplicate_sharply(s: Any, count: int) -> None:
 
 @called
 def _first_kind_sharply(s: Any, count: int) -> None:
-    """Put R_F(x, y, 1) of what stands in two pairs of rows into the first; NaN where it has not converged."""
+    """Put R_F(x, y, 1) of two pairs of rows into the first; NaN where it has not converged."""
     for i in range(count):
         put(s, Z + i, ONE)
     left = MOST_STEPS

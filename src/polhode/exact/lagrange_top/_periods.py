@@ -16,10 +16,6 @@ from polhode._base.arrays import namespace
 from polhode.special.carlson import carlson_rd
 from polhode.types import Array, Complex128, Float64
 
-SMALL_PARAMETER = 0.1  # up to which (D − B)/m is summed as a series
-TERMS = 18  # of it: 0.1^18
-
-
 Number = Float64[Array, "*batch"]
 Complex = Complex128[Array, "*batch"]
 Change = Float64[Array, "*shape"]  # with any axes before those of the batch
@@ -58,7 +54,8 @@ def moments_of_nutation(top: Nutation) -> tuple[tuple[Number, Number, Number, Nu
     # D = R_D(0, m1, 1)/3, B = m1 R_D(0, 1, m1)/3
     both = carlson_rd(xp.zeros_like(xp.stack([m1, m1])), xp.stack([m1, one]), xp.stack([one, m1])) / 3.0
     D, B = both[0], m1 * both[1]
-    small = m < SMALL_PARAMETER
+    largest = 0.1  # parameter up to which (D − B)/m is summed as a series
+    small = m < largest
     gap = xp.where(small, _gap(m), (D - B) / xp.where(small, 1.0, m))
     near_saddle = (m1 * (1.0 - 2.0 * m) * D - (1.0 + m) * B) / xp.where(m < 0.5, 1.0, m)
     third = xp.where(m < 0.5, gap - (B + D) - 2.0 * m1 * D, near_saddle)
@@ -72,8 +69,8 @@ def moments_of_nutation(top: Nutation) -> tuple[tuple[Number, Number, Number, Nu
 
 
 def _gap(m: Array) -> Array:
-    """Return (D − B)/m = ∫ sin² cos² Δ^−3 by its power series."""
-    ratios = [(n + 1.5) * (n + 1.5) / ((n + 1.0) * (n + 3.0)) for n in range(TERMS)]
+    """Return (D − B)/m = ∫ sin² cos² Δ^−3 by its power series, for m < 0.1."""
+    ratios = [(n + 1.5) * (n + 1.5) / ((n + 1.0) * (n + 3.0)) for n in range(18)]
     total = 1.0 + 0.0 * m
     for ratio in ratios[::-1]:
         total = 1.0 + ratio * m * total
@@ -81,7 +78,7 @@ def _gap(m: Array) -> Array:
 
 
 class NutationChange(NamedTuple):
-    """A nutation's period by τ and what changes of the invariants change."""
+    """A nutation's period by τ, and its changes with the invariants."""
 
     period: Number  # T
     period_change: Change
@@ -120,7 +117,7 @@ def _change_of_climbs(top: Nutation, change: Invariants) -> tuple[Number, Change
 def added_by_nutation(
     top: Nutation, start: tuple[Complex, Complex, Complex], change: Invariants
 ) -> Moved:
-    """Return what one nutation adds to the changes of α, β and w, after its phases are turned back.
+    """Return what one nutation adds to the changes of α, β and w, after its phases are removed.
 
     That is −ẏ δT and the turns by δθ_α and δθ_β, with a δT taken out of each where it cancels.
 

@@ -48,7 +48,7 @@ class Reduction(NamedTuple):
     D: DoubleDouble  # 2G − a² − |w|² + G s
     w2: DoubleDouble  # |w|² at the epoch
     lean: DoubleDouble  # a (|w|² − G s) − G c: its sign against a's tells loops from waves
-    reversed: Flag  # whether the axis was turned round
+    reversed: Flag  # whether the axis was reversed
     lift: Integer[Array, "*batch"]  # binary exponent of the displacement's scale, 0 for most tops
     momentum_scale: Number  # powers of two taken out
     rate_scale: Number
@@ -72,13 +72,13 @@ def reduce_top(
 ) -> Reduction:
     """Return the reduction of tops with moments (…, 3), mgl (…, 1), momentum (…, 3) and attitude (…, 4)."""
     xp = namespace(moments, mgl, momentum, attitude)
-    turned = mgl[..., 0] < 0
-    sign = xp.where(turned, -1.0, 1.0)
+    reverse = mgl[..., 0] < 0
+    sign = xp.where(reverse, -1.0, 1.0)
     I1, I3 = moments[..., 0], moments[..., 2]
     L1, L2, L3 = (momentum[..., k] for k in range(3))
     w, x, y, z = (attitude[..., k] for k in range(4))
     # a half turn about the first body axis: q → q i
-    w, x, y, z = (xp.where(turned, new, old) for new, old in ((-x, w), (w, x), (z, y), (-y, z)))
+    w, x, y, z = (xp.where(reverse, new, old) for new, old in ((-x, w), (w, x), (z, y), (-y, z)))
     weight = xp.abs(mgl[..., 0])
     _, moment_exponent = xp.frexp(I1)
     momentum_exponent = _momentum_exponent(xp, I1, weight, (L1, L2, L3))
@@ -94,7 +94,7 @@ def reduce_top(
     above, below = xp.where(below, 0, lift), xp.where(below, lift, 0)
     L = (*(kept * xp.ldexp(v, lift - momentum_exponent) for v in components[:2]), L3)
     q = (xp.ldexp(w, below), kept * xp.ldexp(x, above), kept * xp.ldexp(y, above), xp.ldexp(z, below))
-    parts = ((I1, I3), L, q, *_invariants(G, size, L, q), turned, lift, *scales)
+    parts = ((I1, I3), L, q, *_invariants(G, size, L, q), reverse, lift, *scales)
     return Reduction._make(parts)
 
 
@@ -104,7 +104,7 @@ def _lift(
     """Return whether the axis points down, the exponent that scales a tiny displacement up, and 0 to drop it, or 1.
 
     It is dropped exactly at the threshold of sleeping, 2G = a², where it grows like t and not like e^t: nothing is to
-    be seen of it within 1e27 radians, the longest time that a motion is asked for.
+    show within 1e27 radians, the longest time for which a motion is given.
     """
     (L1, L2, L3), (w, x, y, z) = momentum, quaternion
     largest = lambda u, v: xp.maximum(xp.abs(u), xp.abs(v))  # noqa: E731

@@ -1,6 +1,6 @@
 """The turning points of a Lagrange top, ``formulas_setup``, for arrays.
 
-The root that stands apart is found by Newton's method in double-double, in a variable in which it is large.
+The separate root is computed by Newton's method in double-double, in a variable in which it is large.
 """
 
 from __future__ import annotations

@@ -21,7 +21,6 @@ Complex = Complex128[Array, "*batch"]
 Vector = tuple[Complex, Complex, Complex]  # α, β, w, complex
 Change = Float64[Array, "*shape"]  # with any axes before those of the batch
 Moved = tuple[Complex128[Array, "*shape"], Complex128[Array, "*shape"], Complex128[Array, "*shape"]]
-FARTHEST = 340.0  # exponent of growth up to which a change is followed: its square and a flow's still fit
 
 
 class Growth(NamedTuple):
@@ -40,7 +39,7 @@ def growth(kappa: DoubleDouble, tau: DoubleDouble, begin: Number, falling: Flag)
     Args:
         kappa: κ, of either sign.
         tau: elapsed τ = t/I1.
-        begin: τ from which the top stands; zero where κ < 0.
+        begin: τ from which the top is upright; zero where κ < 0.
         falling: whether a β of its own is to be followed.
     """
     xp = namespace(begin)
@@ -48,8 +47,9 @@ def growth(kappa: DoubleDouble, tau: DoubleDouble, begin: Number, falling: Flag)
     root = dd.sqrt(dd.where(rises, kappa, dd.negate(kappa)))
     elapsed = dd.subtract(tau, dd.from_float(begin))
     exponent, low = dd.multiply(root, elapsed)
-    far = xp.abs(exponent) > FARTHEST
-    exponent = xp.where(far, xp.where(exponent < 0, -FARTHEST, FARTHEST), xp.where(rises, exponent, 0.0))
+    largest = 340.0  # exponent of growth up to which a change is followed: its square and a flow's do not overflow
+    far = xp.abs(exponent) > largest
+    exponent = xp.where(far, xp.where(exponent < 0, -largest, largest), xp.where(rises, exponent, 0.0))
     low = xp.where(far, 0.0, low)
     cosh, sinh = xp.cosh(exponent), xp.sinh(exponent)
     zero = 0.0 * begin
@@ -66,7 +66,7 @@ def growth(kappa: DoubleDouble, tau: DoubleDouble, begin: Number, falling: Flag)
 
 
 def upright_change(a: Number, now: Vector, change: Moved, of: tuple[Change, Change], by: Growth) -> Moved:
-    """Return the changes of α, β, w at σ near a top that stands or goes upright, α's own phase ½aσ taken off.
+    """Return the changes of α, β, w at σ near a top that is or becomes upright, α's own phase ½aσ taken off.
 
     Args:
         a: of the top.
@@ -118,7 +118,7 @@ def resting_change(start: Vector, change: Moved, of: tuple[Change, Change], tau:
 
 
 def reversed_axis(hanging: Flag, vector: Moved) -> Moved:
-    """Return α, β, w of the top seen with its axis reversed, (−β, α, w̄), where it hangs."""
+    """Return α, β, w of the top with its axis reversed, (−β, α, w̄), where it hangs."""
     xp = namespace(hanging)
     alpha, beta, w = vector
     return xp.where(hanging, -beta, alpha), xp.where(hanging, alpha, beta), xp.where(hanging, xp.conj(w), w)

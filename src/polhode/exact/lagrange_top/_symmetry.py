@@ -31,12 +31,12 @@ def third_axis_to_centre(body: PivotedBody) -> tuple[Float64[Array, "3"], Float6
         )
     if k < 0:
         first = rotation.perpendicular(axis)
-        turned = np.stack([first, np.cross(axis, first), axis], axis=-1)
-        return np.full(3, moments[1]), axes @ turned  # equal but for rounding
+        rotated = np.stack([first, np.cross(axis, first), axis], axis=-1)
+        return np.full(3, moments[1]), axes @ rotated  # equal but for rounding
     i, j = (k + 1) % 3, (k + 2) % 3
     side = -1.0 if axis[k] < 0 else 1.0
-    turned = np.stack([np.eye(3)[i], side * np.eye(3)[j], side * np.eye(3)[k]], axis=-1)
-    return moments[[i, i, k]], axes @ turned
+    rotated = np.stack([np.eye(3)[i], side * np.eye(3)[j], side * np.eye(3)[k]], axis=-1)
+    return moments[[i, i, k]], axes @ rotated
 
 
 def _any_symmetry(moments: Array) -> int | None:

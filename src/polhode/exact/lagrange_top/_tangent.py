@@ -1,9 +1,9 @@
 """The derivative of a Lagrange top's attitude and momentum along perturbations of all its inputs.
 
-Whole nutations add what the Hessian of the action says, each the same, and the rest is one short flow that is
-differentiated as it stands; nothing takes the root of anything that may vanish. Which nutations count as whole is
+Whole nutations add equal changes, given by the Hessian of the action, and the rest is one short flow that is
+differentiated step by step; nothing takes the root of anything that may vanish. Which nutations count as whole is
 chosen so that the flow is not led upright and back down near the separatrix, where float64 would lose the way. A top
-without a period stands or comes to stand, and goes on by its linear equations.
+without a period is upright or becomes so, and goes on by its linear equations.
 """
 
 from __future__ import annotations
@@ -31,8 +31,6 @@ Complex = Complex128[Array, "*batch"]
 Vector = tuple[Complex, Complex, Complex]  # α, β, w, complex
 Change = Float64[Array, "*shape"]  # with any axes before those of the batch
 Moved = tuple[Complex128[Array, "*shape"], Complex128[Array, "*shape"], Complex128[Array, "*shape"]]
-SMALL_STEP, SMALLEST_STEP = 1e-60, 1e-305  # of complex steps, by the scale of the displacement
-UPRIGHT = 13.0  # λ times the time from the lowest point at which a top on the separatrix stands: |β|² is 1e-11 there
 
 
 class TangentData(NamedTuple):
@@ -104,7 +102,7 @@ def tangent_data(prepared: Prepared) -> TangentData:
     hanging = permanent & (top.s0[0] > 0)
     safe = lambda v, x: xp.where(endless, x, v[0])  # noqa: E731
     square = dd.square(a)
-    # 4κ about the vertical at which the top stands
+    # 4κ about the vertical position of the top
     D = dd.where(hanging, dd.negate(dd.add(dd.scale(top.G, 2.0), square)), top.D)
     place = xp.where(motion[0], 2.0 * motion[10], motion[10])
     momentum, quaternion, (c, energy, s2, d, tilt) = _given_size(xp, top, points)
@@ -160,7 +158,7 @@ def state_tangent(
     invariants = changed_invariants(xp, top, start, change, dG, da)
     parts = tuple(f(v) for v in start for f in (xp.real, xp.imag))
     # the way up and down magnifies by the inverse of the displacement
-    step = xp.minimum(xp.maximum(SMALL_STEP / top.lift, SMALLEST_STEP), COMPLEX_STEP)
+    step = xp.minimum(xp.maximum(1e-60 / top.lift, 1e-305), COMPLEX_STEP)
     later, columns = derivative_columns(lambda *s: flow(s, course.rest, top.D, top.tilt), (*parts, G, a), step)
     moved = _applied(columns, (*(f(v) for v in change for f in (xp.real, xp.imag)), dG, da))
     stood = _stood(xp, top, course, (start, _paired(later)), (change, moved), invariants)
@@ -218,8 +216,9 @@ def _course(xp: Any, top: TangentData, time: Array) -> _Course:
     tau = dd.divide(dd.scale(dd.from_float(time), top.rate_scale), dd.from_float(top.I1))
     rate = 0.5 * xp.sqrt(xp.where(top.separatrix, xp.abs(top.D), 1.0))
     end = top.place + rate * tau[0]
-    end = xp.minimum(xp.maximum(end, xp.minimum(top.place, -UPRIGHT)), xp.maximum(top.place, UPRIGHT))
-    climb = xp.where(top.separatrix, xp.where(xp.abs(end) < UPRIGHT, tau[0], (end - top.place) / rate), 0.0)
+    upright = 13.0  # λ times the time from the lowest point to where a top on the separatrix is upright: |β|² is 1e-11
+    end = xp.minimum(xp.maximum(end, xp.minimum(top.place, -upright)), xp.maximum(top.place, upright))
+    climb = xp.where(top.separatrix, xp.where(xp.abs(end) < upright, tau[0], (end - top.place) / rate), 0.0)
     rest = xp.where(endless, climb, (fraction + low) * math.pi / nutation[0])
     return _Course(count, rest, tau, _phases(xp, top, nutation, halves, count))
 
@@ -242,19 +241,19 @@ def _nutations_more(xp: Any, place: Array, fraction: Array) -> Array:
 def _phases(
     xp: Any, top: TangentData, nutation: DoubleDouble, halves: tuple[Array, Array], count: Array
 ) -> tuple[Array, Array]:
-    """Return the turns of α and β in whole nutations, by the spin that I3 ≠ I1 adds, and while standing."""
+    """Return the turns of α and β in whole nutations, by the spin that I3 ≠ I1 adds, and while it is upright."""
     zero = 0.0 * top.I1
     endless = top.separatrix | top.permanent
     inverse = dd.divide((dd.INVERSE_TWO_PI[0] + zero, dd.INVERSE_TWO_PI[1] + zero), dd.from_float(top.I1))
     half_spin = dd.scale((top.spin, top.spin_rest), 0.5)
     out: list[Array] = []
-    for linear, sign, sense, stands in (
+    for linear, sign, sense, upright in (
         ((top.alpha, top.alpha_rest), top.sign_alpha, 1.0, endless & ~top.hanging),
         ((top.beta, top.beta_rest), top.sign_beta, -1.0, top.hanging),
     ):  # fmt: skip
         turn = dd.scale(dd.add(dd.divide(linear, nutation), dd.from_float(sign)), 0.5)  # of a nutation, in turns
         turn = dd.where(endless, (zero, zero), turn)
-        own = dd.add(dd.scale(half_spin, sense), dd.from_float(xp.where(stands, 0.5 * sense * top.L3, 0.0)))
+        own = dd.add(dd.scale(half_spin, sense), dd.from_float(xp.where(upright, 0.5 * sense * top.L3, 0.0)))
         x, x_rest, _ = reduced_phase(split_rate(*turn), split_halves(count))
         y, y_rest, _ = reduced_phase(split_rate(*dd.scale(dd.multiply(own, inverse), top.rate_scale)), halves)
         out.append((x + y) + (x_rest + y_rest))
@@ -276,7 +275,7 @@ def _stood(
     xp: Any, top: TangentData, course: _Course, values: tuple[Vector, Vector], changes: tuple[Moved, Moved],
     by: Invariants,
 ) -> Moved:  # fmt: skip
-    """Return the changes of a top that stands, from the epoch or the end of its climb on, α's phase ½aτ taken off."""
+    """Return the changes of an upright top, from the epoch or the end of its climb on, α's phase ½aτ taken off."""
     permanent, hanging = top.permanent, top.hanging
     begin = xp.where(permanent, 0.0, course.rest)
     now, change = (tuple(xp.where(permanent, x, y) for x, y in zip(*v, strict=True)) for v in (values, changes))
@@ -299,11 +298,11 @@ def _stood(
 
 def _spherical(xp: Any, top: TangentData, attitude: Array, momentum: Array) -> Vector:
     """Return α, β, w of a state, in the units and on the axis of the reduction."""
-    turned, sense = top.reversed, xp.where(top.reversed, -1.0, 1.0)
+    reverse, sense = top.reversed, xp.where(top.reversed, -1.0, 1.0)
     w, x, y, z = (attitude[..., k] for k in range(4))
     L1, L2 = momentum[..., 0] / top.momentum_scale, sense * momentum[..., 1] / top.momentum_scale
-    parts = (xp.where(turned, -x, w), xp.where(turned, -y, z), xp.where(turned, w, x), xp.where(turned, z, y), L1, L2)
-    return _paired(parts)
+    pairs = (-x, w), (-y, z), (w, x), (z, y)
+    return _paired((*(xp.where(reverse, new, old) for new, old in pairs), L1, L2))
 
 
 def _assembled(
@@ -312,7 +311,7 @@ def _assembled(
 ) -> tuple[Array, Array]:  # fmt: skip
     """Return the changes of attitude and momentum on the given axes and in the given units.
 
-    The flow's change is turned by the phases; those by whole nutations, by τ = t/I1 and by the spin ν t are added.
+    The flow's change is multiplied by the phases; those by whole nutations, by τ = t/I1 and by the spin ν t are added.
     """
     time, d_time, dI1, dI3 = times
     I1, I3, a = top.I1, top.I3, top.L3
@@ -332,9 +331,9 @@ def _assembled(
         change = change + (slope * d_tau + 1j * value * (share * d_half))
         out += [xp.real(change), xp.imag(change)]
     ar, ai, br, bi, wr, wi = out
-    turned, sense = top.reversed, xp.where(top.reversed, -1.0, 1.0)
+    reverse, sense = top.reversed, xp.where(top.reversed, -1.0, 1.0)
     attitude = (
-        xp.where(turned, br, ar), xp.where(turned, -ar, br), xp.where(turned, -ai, bi), xp.where(turned, bi, ai),
+        xp.where(reverse, br, ar), xp.where(reverse, -ar, br), xp.where(reverse, -ai, bi), xp.where(reverse, bi, ai),
     )  # fmt: skip
     momentum = (wr, sense * wi, sense * da)
     return xp.stack(attitude, axis=-1), xp.stack([v * top.momentum_scale for v in momentum], axis=-1)

@@ -268,7 +268,7 @@ class LagrangeMotion(AbstractMotion, Generic[Answer]):
 
         "sleeping" and "hanging" spin upright, centre of mass above or below the pivot; "steady" keeps its tilt; "free"
         has no weight; "planar" swings or turns over like a pendulum; "separatrix" comes to rest upright in infinite
-        time; the others nutate, and are told apart by the azimuth: always onward, halting, or turning back in loops.
+        time; the others nutate, and are classified by the azimuth: always onward, halting, or turning back in loops.
         Exact signs on the given floats decide. In batches, integer codes in that order from 0.
         """
         return named_code(self._numbers.regime, geometry.REGIMES)

@@ -8,7 +8,14 @@ from typing import NamedTuple
 from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 
-LEVEL = 3.6e-15  # cosine of the tilt of a level axis, 16 roundings: π/2 is no double, and attitudes round it further
+
+class LevelLimits(NamedTuple):
+    """When an axis counts as level."""
+
+    max_cosine: float = 3.6e-15  # of its tilt, 16 roundings: π/2 is no double, and attitudes round it further
+
+
+LIMITS = LevelLimits()
 
 
 class SteadyPrecession(NamedTuple):
@@ -64,7 +71,7 @@ def steady_precession(
         )
     moment = I1 if spin_rate is None else I1 - I3
     quadratic, momentum = moment * math.cos(tilt), I3 * rate
-    if moment == 0.0 or abs(math.cos(tilt)) <= LEVEL:
+    if moment == 0.0 or abs(math.cos(tilt)) <= LIMITS.max_cosine:
         return SteadyPrecession(mgl / momentum, None) if momentum else None
     square = momentum * momentum - 4.0 * quadratic * mgl
     if square < 0.0:
@@ -97,7 +104,7 @@ def least_spin_rate(moments: tuple[float, float, float], mgl: float, tilt: float
     if not math.isfinite(tilt):
         raise InvalidInput(f"`tilt` must be finite; got {shown(tilt)} rad.")
     height = math.cos(tilt)
-    return 0.0 if abs(height) <= LEVEL else 2.0 * math.sqrt(max(0.0, (I1 - I3) * height * mgl)) / I3
+    return 0.0 if abs(height) <= LIMITS.max_cosine else 2.0 * math.sqrt(max(0.0, (I1 - I3) * height * mgl)) / I3
 
 
 @known_numbers_only
