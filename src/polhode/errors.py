@@ -82,7 +82,7 @@ def _cut(text: str, longest: int) -> str:
 
 
 class PolhodeError(Exception):
-    """Base of every error that polhode raises on purpose; its message can be printed as it is, and has an end.
+    """Base of every error that polhode raises on purpose; its message is printable and of bounded length.
 
     Args:
         lines: of the message, each of which is printed in one.
@@ -104,7 +104,7 @@ class NotConverged(PolhodeError, RuntimeError):
 
 
 class FormatError(InvalidInput):
-    """A file that is not what its format promises; the message adds the path and, where known, the line."""
+    """A file that breaks its format; the message adds the path and, where known, the line."""
 
 
 def not_installed(what: str, library: str, extra: str, otherwise: str = "") -> InvalidInput:
@@ -114,7 +114,7 @@ def not_installed(what: str, library: str, extra: str, otherwise: str = "") -> I
     polhode from a clone; and the Python that runs now, so that the library goes where it is missing.
 
     Args:
-        what: that needs the library, in the plural.
+        what: the features that need the library, in the plural.
         library: its usual name.
         extra: of polhode, in which it is listed.
         otherwise: another remedy, a sentence.

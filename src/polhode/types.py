@@ -5,7 +5,7 @@ another array-API library. A name for an axis means one length, and a starred na
 the result of a call; ``*#batch`` marks arguments that broadcast to ``*batch``.
 
 ``Real[ArrayLike, "*#batch 3"]`` is what a user may give: an array, a number, or nested lists of numbers. The function
-itself refuses what is wrong, in words, so that the check lets it pass, and takes from what fits the axes that it names.
+itself refuses wrong input with a message, so that the check lets it pass, and names the axes of the rest.
 
 Annotations cost nothing outside the tests: jaxtyping is used only where it has been imported before.
 """
@@ -38,14 +38,14 @@ else:
     ArrayOrFloat = Any | float
     """An array, or one float of Python's, as elementwise functions take it."""
     FloatOrArray = Any | float
-    """What a motion answers: a float of one known body, an array of a batch or of traced numbers."""
+    """The value of a motion's property: a float of one body, an array of a batch or of traced numbers."""
     from typing import TypeVar
 
     Answer = TypeVar("Answer", bound=FloatOrArray, covariant=True)
-    """The same where the arguments tell a type checker which of them it is: three plain numbers are of one body."""
+    """``FloatOrArray`` where a type checker can decide by the arguments: three plain numbers are of one body."""
 
 ArrayLike = Any
-"""What a function makes an array of: an array, a number, or nested lists or tuples of these."""
+"""Input that a function turns into an array: an array, a number, or nested lists or tuples of these."""
 
 if TYPE_CHECKING:
     from typing import Annotated as Bool
@@ -67,7 +67,7 @@ elif "jaxtyping" in sys.modules:
         dtypes = ("float64", "complex128")
 
     class _NamesAxes(type):
-        """The type of types that everything belongs to; belonging names the axes of what has the expected shape."""
+        """The type of types that everything belongs to; belonging names the axes of a value of the expected shape."""
 
         @no_type_check  # the check of this call would keep the names for itself
         def __instancecheck__(cls, value):

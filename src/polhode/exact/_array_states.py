@@ -22,7 +22,7 @@ class ArrayStates:
 
     def __init__(self, formulas: ModuleType) -> None:
         self._formulas, self._summed = for_arrays(formulas), formulas.SUMMED
-        self._idle = (0.0,) * (formulas.COLUMNS - formulas.SUMMED)  # in place of what sums do not take
+        self._idle = (0.0,) * (formulas.COLUMNS - formulas.SUMMED)  # in place of entries that sums do not take
 
     def evaluate(self, flat: Columns, time: Times, rest: Times) -> tuple[Float64[Array, "*shape"], ...]:
         """Return the four quaternion and three momentum components at the times since the epoch, given in two parts."""

@@ -130,7 +130,7 @@ class ClosedForm:
     def state(self, column: Sequence[float], time: float, rest: float) -> State:
         """Return attitude and momentum of one body at a time since the epoch, given in two parts."""
         kept, motion = self._latest
-        if kept is not column:  # one body is asked for its states again and again
+        if kept is not column:  # the states of one body are computed again and again
             motion = self._python.unflatten(column)
             self._latest = column, motion
         try:

@@ -3,7 +3,7 @@
 The error of a step is held to the tolerance relative to each component's size and to its scale. Balances are integrated
 with the motion, under the same control. Each copy of a batch has its own steps, scales and end.
 
-Explicit methods are run for one stretch of steps after another, always by the same compiled function: Python acts on
+Explicit methods are run some steps at a time, always by one compiled function: Python acts on
 Ctrl-C, and progress is shown, only between two calls.
 """
 
@@ -67,11 +67,11 @@ class AdaptiveMotion(NamedTuple):
         times: (K,) [s] saved samples; of one motion up to its end, the event's own time if one ended it.
         states: (batch…, K, …); infinite after the end of a copy of a batch.
         received: name → the integral of each balance since the first time, (batch…, K).
-        event: name of what ended the one motion, or None.
+        event: name of the event that ended the one motion, or None.
         successful: (batch…) whether it reached its end.
         steps: of the copy that took most.
         ends: how each copy ended.
-        memory: of one motion by series of arrays, with which it goes on to the same bits, else None.
+        memory: of one motion by series of arrays, with which it resumes bit for bit, else None.
         steps_of_copies: (batch…) how many each copy took, of a motion by series.
         by_arrays: whether it went by series of whole arrays.
     """
@@ -122,7 +122,7 @@ def solve_adaptively(
     states = jnp.reshape(state, (-1, *jnp.shape(state)[len(batch) :])) if batch else state
     allowed = jnp.asarray(TOLERANCE if tolerance is None else tolerance)
     kept = times[::every]
-    jumps_between(times, system.jumps)  # refuses what is no time
+    jumps_between(times, system.jumps)  # refuses times that are not finite
     arguments = (system, solver, states, jnp.asarray(times), jnp.asarray(kept), largest, allowed, meter)
     motion = (_by_stretches if embedded.is_embedded(solver) else _at_once)(*arguments)
     motion = jax.tree.map(np.asarray, motion)  # each operation on a JAX array would be compiled by itself
@@ -155,7 +155,7 @@ def adaptive_error(
 ) -> Float64[Array, "*batch"] | None:  # fmt: skip
     """Return the estimated error (batch…) of a motion, from two further runs with other steps.
 
-    Beside a saddle, what is small there has no part in the control of steps: they are as long as samples let them be,
+    Beside a saddle, small components have no part in the control of steps: they are as long as samples let them be,
     with any tolerance, and two runs with equal steps have equal errors. So one run holds a tenth of the tolerance by
     steps that are all shorter than the motion's mean step. It is more exact than the motion, and their difference is
     the motion's error, unless both are off by rounding and agree by chance. The other run holds a hundred times the

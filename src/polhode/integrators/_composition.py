@@ -88,13 +88,13 @@ def compose_with_hints(
     """Return the change by stages that tell each other, from step to step, where to start their search.
 
     Args:
-        stage: (t, length, state, hint) → its change, and the hint for the same stage of the next step.
+        stage: (t, length, state, hint) → its change, and the hint for that stage of the next step.
         order: of the step.
         t: its start [s].
         h: its length [s].
         state: at its start.
         hints: a nest of arrays, the stages along their first axes.
-        beside: keeps the middle of a stage on the step's side of what jumps; None where nothing does.
+        beside: keeps the middle of a stage on the step's side of each jump; None without jumps.
     """
     if order == 2:
         change, hint = stage(t, h, state, jax.tree.map(lambda x: x[0], hints))

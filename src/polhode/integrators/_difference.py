@@ -22,8 +22,8 @@ def difference(
 ) -> Float64[Array, "..."]:
     """Return the largest difference (batch…) of two motions (batch…, T, …), relative to the sizes of a state's parts.
 
-    Parts are the attitude, of size one, and what has a unit of its own: on se(3)* the angular and the linear part, the
-    point of other algebras, each component of other systems and of those that name sizes of their own.
+    Parts are the attitude, of size one, and components with a common unit: on se(3)* the angular and the linear part,
+    the point of other algebras, each component of other systems and of those that name sizes of their own.
     """
     axis = one.ndim - 1 - system.state_axes
     own = tuple(range(axis, one.ndim))
@@ -49,7 +49,7 @@ def _has_sizes_by_algebra(system: AbstractSystem) -> TypeGuard[AbstractLiePoisso
 
 
 def parts_with_units(system: AbstractLiePoissonSystem, state: Double[Array, "..."]) -> list[Any]:
-    """Return the indices of attitude, if there, and of what has a unit of its own in states (…, *shape)."""
+    """Return the indices of the attitude, if there, and of components with a common unit in states (…, *shape)."""
     start = 0 if system.parts(state).attitude is None else 4
     sizes = [part.size for part in system.algebra.body_parts[:-1]]
     borders = [*([0] if start else []), *itertools.accumulate(sizes, initial=start), None]
@@ -61,10 +61,10 @@ def starts_a_rounding_away(
 ) -> list[Double[Array, "..."]]:  # fmt: skip
     """Return two starts (batch…, …) each of whose numbers is off by last places, or a rounding of its part's size.
 
-    Motions from these starts have other roundings all along, and show what the start's own grows to. Beside a saddle
-    along an axis explicit methods compute what is small to roundings of itself, and roundings of its part would be as
-    large as it. Implicit methods iterate until changes are roundings of the largest number. All copies of a batch are
-    moved alike, so that none depends on its place in the batch. What is zero stays so, as a saddle may need.
+    Motions from these starts have other roundings throughout, and show how a rounding of the start grows. Beside a
+    saddle along an axis explicit methods compute small numbers to roundings of their own, which roundings of a whole
+    part would swamp. Implicit methods iterate until changes are roundings of the largest number. All copies of a batch
+    are moved alike, so that none depends on its place in the batch. What is zero stays so, as a saddle may need.
     """
     rng, point = np.random.default_rng(1), np.asarray(state)
     count = 2  # a single one may lie along the motion by chance, where nothing grows
@@ -92,7 +92,7 @@ def starts_a_rounding_away(
 def _last_places(numbers: Array) -> Array:
     """Return the distance of each number to the next double, zero where it is.
 
-    As it is twice what a rounding does at most, a share of the number, rounded, would often be four times as much.
+    It is twice the largest rounding; a share of the number, rounded, would often be four times as much.
     """
     if np.iscomplexobj(numbers):
         return _last_places(numbers.real) + 1j * _last_places(numbers.imag)

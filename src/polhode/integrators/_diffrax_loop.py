@@ -1,4 +1,4 @@
-"""What diffrax's own loop is given: where events are, and how short steps may become."""
+"""Events and step control for diffrax's own loop."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class EventBisection(optimistix.Bisection):
     """Bisection until the time is known to rounding, whatever the scale of the function that vanishes there."""
 
     def __init__(self) -> None:
-        # events fall from positive values; a copy of a batch without one runs the same search, with no change of sign
+        # events fall from positive values; a copy of a batch without one runs this search too, with no change of sign
         super().__init__(rtol=embedded.LIMITS.event_tolerance, atol=0.0, flip=True)
 
     def terminate(
@@ -31,7 +31,7 @@ class EventBisection(optimistix.Bisection):
 class PresentTimeControl(diffrax.PIDController):
     """Step control whose shortest step is a rounding of the present time, whatever the last time is.
 
-    A motion that ends after a minute must not depend on whether it was asked for up to an hour or up to an age.
+    A motion that ends after a minute must not depend on whether its last time is an hour or an age.
     """
 
     def _at(self, *times: Any) -> diffrax.PIDController:

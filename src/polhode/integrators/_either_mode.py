@@ -21,8 +21,8 @@ from polhode.types import Array
 
 Back = Callable[[Callable[[Any], Any], Any, Any, Any], Any]
 """Of ``whole``, ``moved``, outputs and weights: ``whole(moved)`` are the operands, with those of their arrays that move
-replaced; outputs are what they gave; weights are the cotangents of those outputs that are not whole numbers. It returns
-the cotangents of what moves."""
+replaced; outputs are their results; weights are the cotangents of those outputs that are not whole numbers. It returns
+the cotangents of the moving operands."""
 
 
 def by_either_mode(forward: Callable[[Any], Any], back: Back, operands: Any, name: str, twice: bool = False) -> Any:
@@ -31,7 +31,7 @@ def by_either_mode(forward: Callable[[Any], Any], back: Back, operands: Any, nam
     Args:
         forward: of the operands, with outputs that are arrays; it must not enclose traced arrays.
         back: the transpose of its derivative.
-        operands: any nest; what is not an array is constant.
+        operands: any nest, of which all but arrays is constant.
         name: of the public function, for the refusal of second derivatives.
         twice: whether both may be differentiated once more, forward.
     """
@@ -141,7 +141,7 @@ def _batch(args: Any, axes: Any, *, count: int, along: Any, back: Any, **more: A
 
         return batch
 
-    # what all copies share is not copied; directions are, so that the transpose adds up the copies
+    # operands that all copies share are not copied; directions are, so that the transpose adds up the copies
     ways = [
         jnp.broadcast_to(x, (size, *jnp.shape(x))) if axis is None else jnp.moveaxis(x, axis, 0)
         for x, axis in zip(args[count:], axes[count:], strict=True)
@@ -156,7 +156,7 @@ def _shapes(*args: Any, along: Any, **known: Any) -> list[ShapedArray]:
 
 
 def _forward_only(values: Any, name: str) -> Any:
-    """Return a loop's results; reverse-mode derivatives of them are refused, with the name of what they are.
+    """Return a loop's results; reverse-mode derivatives of them are refused, with the name of the result.
 
     Args:
         values: arrays or nests of them.

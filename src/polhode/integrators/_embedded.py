@@ -45,8 +45,8 @@ class Problem(NamedTuple):
 
     Attributes:
         rates: of change.
-        margin: what falls from positive to zero where an event ends the run, or None.
-        seen: what is saved.
+        margin: a function that falls from positive to zero where an event ends the run, or None.
+        seen: the values to save.
     """
 
     rates: Rates
@@ -105,10 +105,10 @@ def begin(state: Any, times: Float64[Array, "time"], kept: Float64[Array, "kept"
     """Return a run at its start.
 
     Args:
-        state: any nest of arrays, of about the same size in all.
+        state: any nest of arrays, of about equal sizes.
         times: (T,) [s], in one direction.
         kept: (K,) some of them, with the first.
-        saved_of: what is saved of a time and a state.
+        saved_of: the values to save at a time and a state.
     """
     first = saved_of(times[0], state)
     saved = jax.tree.map(lambda x: jnp.full((kept.shape[0], *x.shape), jnp.inf, x.dtype).at[0].set(x), first)
@@ -128,7 +128,7 @@ def advance(
     Args:
         run: as ``begin`` or ``advance`` gave it.
         method: an explicit Runge–Kutta method.
-        problem: what is integrated.
+        problem: to be integrated.
         times: (T,) [s] that steps end at, in one direction; of equal ones the jumps come last.
         kept: (K,) those to save at.
         largest: step [s], or None.
@@ -155,13 +155,13 @@ def advance(
         later, error, slope = _take_step(method, lambda t, y: rates(moment(t), y), run.time, run.state, h, run.slope)
         size = _size(error, run.state, later, tolerance)
         fine = size < 1.0
-        # what is not a number any more is past as well: the margin ends there
+        # a NaN counts as past: the margin ends there
         past = ~(margin(time, later) > 0.0) & (fine | seeking) if margin else jnp.asarray(False)
         advances = fine & ~past & ~seeking
         reached = advances & clipped
         place = jnp.minimum(run.place, kept.shape[0] - 1)
         saves = reached & (time == kept[place])
-        # what follows the step
+        # the next step
         # the error goes with h^order: Hairer, Nørsett & Wanner, §II.4
         # of a step, as PIDController has them
         safety, max_shrinking, max_growth = 0.9, 0.2, 10.0
@@ -196,7 +196,7 @@ def advance(
             jax.lax.stop_gradient(high), chosen(past, later, run.beyond), saved, run.steps + ~seeking, status,
         )  # fmt: skip
 
-    # plain loops copy what was saved at each step of a batch
+    # plain loops copy the saved samples at each step of a batch
     return eqxi.while_loop(unfinished, body, run, kind="lax", buffers=lambda run: run.saved)
 
 
@@ -216,7 +216,7 @@ def at_event(run: Run, rates: Rates, margin: Margin) -> tuple[Float64[Array, ""]
 
 
 def _within(begin: Array, end: Array, forth: Array) -> Callable[[Array], Array]:
-    """Return what moves a time into the inside of a step, so that no stage is at the other side of a jump."""
+    """Return a function that moves a time inside a step, so that no stage is at the other side of a jump."""
     rounding = 2e-15  # of a time
     beside = forth * jnp.maximum(rounding * jnp.maximum(jnp.abs(begin), jnp.abs(end)), LIMITS.min_step)
     low, high = forth * (begin + beside), forth * jnp.where(end == begin, begin + beside, end - beside)
@@ -254,7 +254,7 @@ def _size(error: Any, before: Any, after: Any, tolerance: Array) -> Float64[Arra
 
 
 def _first_step(state: Any, slope: Any) -> Float64[Array, ""]:
-    """Return a length [s] for the first step, short of what the tolerance will allow."""
+    """Return a length [s] for the first step, shorter than the tolerance will allow."""
     over = lambda x: jax.tree.map(lambda v, y: v / (1.0 + jnp.abs(y)), x, state)  # noqa: E731
     size, rate = _root_mean_square(over(state)), _root_mean_square(over(slope))
     zero, at_rest = 1e-17, 1e-6  # a size that counts as zero; the first step [s] then

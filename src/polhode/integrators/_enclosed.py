@@ -24,10 +24,10 @@ _plain: set[Any] = set()
 
 
 def refuse_derivatives_by_enclosed(solve: Callable[Parameters, Result]) -> Callable[Parameters, Result]:
-    """Make a function of a system, whose result has an ``end_state``, refuse derivatives by what the system encloses.
+    """Make a function of a system, whose result has an ``end_state``, refuse derivatives by enclosed numbers.
 
-    Methods have derivatives of their own, by the state and the arrays of the system; to them what a function encloses
-    is a constant. Values, compiled or batched, may depend on it.
+    Methods have derivatives of their own, by the state and the arrays of the system; a number that a function of the
+    system encloses is a constant to them. Values, compiled or batched, may depend on it.
     """
 
     @functools.wraps(solve)
@@ -66,7 +66,7 @@ def _find_enclosed(system: AbstractSystem, solution: Any) -> list[Any]:
 
 
 def _guard(solution: Result, enclosed: list[Any], name: str) -> Result:
-    """Return the solution, whose derivatives by what is enclosed raise."""
+    """Return the solution, whose derivatives by the enclosed numbers raise."""
     arrays, rest = eqx.partition(solution, eqx.is_inexact_array)
 
     @jax.custom_jvp

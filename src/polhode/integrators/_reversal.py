@@ -57,8 +57,8 @@ class Given(NamedTuple):
         state: at the start.
         lost: by the sums so far.
         iterations: so far.
-        fine: whether all went well so far.
-        hint: of the steps before, which nothing is differentiated by.
+        fine: whether all steps converged so far.
+        hint: of the steps before, by which nothing is differentiated.
     """
 
     held: list[Array]
@@ -73,7 +73,7 @@ class Given(NamedTuple):
 
 
 class Reached(NamedTuple):
-    """How many steps were taken, the state then, what the sums lost, iterations, whether all went well, the hint."""
+    """The number of steps, the state then, the lost parts of sums, iterations, whether all converged, the hint."""
 
     steps: Integer[Array, ""]
     state: Double[Array, "*shape"]
@@ -87,7 +87,7 @@ def repeat_steps(step: Step, inputs: Given, parts: Sequence[Any], symmetric: boo
     """Return the end of a run of equal steps, with derivatives of either mode; ``held`` is always computed here.
 
     Args:
-        step: (t, h, state, lost, hint) → the same pair after a step, its iterations, whether it went well, the hint for
+        step: (t, h, state, lost, hint) → the pair after a step, its iterations, whether it converged, the hint for
             the next one.
         inputs: from where, and how many steps; they end where one fails.
         parts: indices of a state's parts, each with a size of its own.
@@ -122,7 +122,7 @@ def repeat_steps(step: Step, inputs: Given, parts: Sequence[Any], symmetric: boo
 
 
 class _Back(NamedTuple):
-    """A way back so far: at which step it is, the state there, and the cotangents of the state and of what moves."""
+    """The way back so far: its step, the state there, and the cotangents of the state and of the moving arrays."""
 
     at: Array
     state: Pair
@@ -148,12 +148,12 @@ class _Way:
         self.no_hint = jax.tree.map(jnp.zeros_like, self.given.hint)
 
     def one(self, moved: Any, k: Array, state: Array, lost: Array) -> Pair:
-        """Return the state after the k-th step as a function of what moves and the state before."""
+        """Return the state after the k-th step as a function of the moving arrays and the state before."""
         inputs = self.whole(moved)
         return self.stepped(inputs.held, inputs.start + k * inputs.h, inputs.h, state, lost, self.no_hint)[:2]
 
     def back(self, reached: Reached, weights: Any, longest: int) -> Any:
-        """Return the cotangents of what moves from those of the state at the end."""
+        """Return the cotangents of the moving arrays from those of the state at the end."""
         inputs = self.given
         saved = _Saved(
             jnp.ones((), int), jnp.zeros(PLACES, int),
@@ -211,7 +211,7 @@ class _Way:
             state = self.stepped(inputs.held, inputs.start + now.at * inputs.h, -inputs.h, *now.state, self.no_hint)[:2]
             sizes = jnp.maximum(sizes, self._sizes(state[0]))
             gaps = self._sizes((state[0] - first[0]) + (state[1] - first[1]))
-            # at the segment's start the state is known, and counts instead of what was regained
+            # at the segment's start the state was computed forward, and replaces the regained one
             state = jax.tree.map(lambda x, known: jnp.where(k > begin, x, known), state, first)
             # evaluated again where it is transposed: with implicit stages in half the time
             one = jax.checkpoint(lambda moved, *state: self.one(moved, k, *state))

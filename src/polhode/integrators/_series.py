@@ -47,12 +47,12 @@ LIMITS = SeriesLimits()
 
 
 class NoSeries(InvalidInput):
-    """A motion that series cannot follow, whatever their order.
+    """A motion that no series can follow, of whatever order.
 
     Attributes:
         why: a clause that ends "no series, as …".
         copies: (C,) which copies of a batch they cannot follow; None where it is all of them.
-        part: of the rates of change, that has no series or leads to where none is; "" where it is not that.
+        part: of the rates of change, that has no series or leads to where none is; "" for other reasons.
         singular: when the motion comes to a singularity, in words; "" where it does not.
     """
 
@@ -118,7 +118,7 @@ def has_short_series(system: AbstractSystem, state: Double[Array, "..."]) -> boo
 
 
 def goes_by_arrays(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
-    """Return whether the system's series are of whole arrays; such a motion can be resumed to the same bits."""
+    """Return whether the system's series are of whole arrays; such a motion can be resumed bit for bit."""
     return system.series_of_arrays or count_operations(system, _one(system, state)) > LIMITS.max_operations
 
 
@@ -171,7 +171,7 @@ def solve_by_series(
     states = np.reshape(np.asarray(state), (-1, *np.shape(state)[len(batch) :]))
     check_events(system, times[0], state)
     check_sizes(states)
-    jumps_between(times, system.jumps)  # refuses what is not a finite time
+    jumps_between(times, system.jumps)  # refuses times that are not finite
     precision = choose_precision(tolerance, method.order, method.is_extended)
     place = None if memory is None else _find_place(memory, states, times[0])
     runs, place = _run_or_refuse(system, states, kept, times[-1], precision, longest, meter, place)
@@ -259,7 +259,7 @@ def series_error(
             raise
         return [runs.part(k * copies, (k + 1) * copies) for k in range(len(starts))]
 
-    # a run has the same bits whatever its samples, and whatever moves beside it
+    # the bits of a run depend neither on its samples nor on other copies
     known, copies = np.array_equal(motion.times, fine), math.prod(batch)
     first = _as_copies(motion, batch) if known else again([state], precision)[0]
     # roundings are not those of doubles with extended precision

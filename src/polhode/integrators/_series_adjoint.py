@@ -32,10 +32,10 @@ LIMITS = ReturnLimits()
 
 
 class Returning(AbstractSystem):
-    """The motion of state x, weights λ of it and of what balances receive, numbers p of the system, and their weights.
+    """The motion of state x, weights λ of it and of integrals of balances, numbers p of the system, and their weights.
 
     Attributes:
-        flow: (t, x, p) → rates of change of x and of what balances receive; comparable, as a jitted function is not.
+        flow: (t, x, p) → rates of change of x and of integrals of balances; comparable, as a jitted function is not.
         sizes: how many numbers x, balances and p are.
     """
 
@@ -61,11 +61,11 @@ def weights_back(
     """Return the weights of starts and numbers, from those of the states at times, and which of them are valid.
 
     Args:
-        motion: of state, what balances receive, and numbers.
+        motion: of state, integrals of balances, and numbers.
         back: ``motion`` with weights.
         inputs: starts (C, n), numbers (C, m) and sizes of the state's components (C, n).
         times: (T,) [s].
-        weights: of state and of what balances received.
+        weights: of state and integrals of balances.
         precision, longest: of the steps.
     """
     n, received, count = back.sizes

@@ -48,7 +48,7 @@ class Skeleton(NamedTuple):
 
 
 class Sensitive(AbstractSystem):
-    """State, what balances received, numbers of a system, and some of their derivatives, as one flat state.
+    """State, integrals of balances, numbers of a system, and some of their derivatives, as one flat state.
 
     Attributes:
         varied: by which of the numbers of state and system, one after the other, derivatives go along.
@@ -94,7 +94,7 @@ class Sensitive(AbstractSystem):
 
 
 class Directed(AbstractSystem):
-    """State, what balances received, and numbers of a system, and a change of each of these.
+    """State, integrals of balances, and numbers of a system, and a change of each of these.
 
     Attributes:
         flow: (t, x, p) → rates of change of state and balances.
@@ -114,7 +114,7 @@ class Directed(AbstractSystem):
 
 
 class Runs(NamedTuple):
-    """Samples of motions, and of what goes along with them.
+    """Samples of motions, and of their tangents.
 
     Attributes:
         states: (batch…, T, n) infinite after a failure; NaN where the start is not finite or times do not advance.
@@ -131,7 +131,7 @@ class Motion:
     """The motion of one structure at so many times, as a function of start, times, numbers and sizes of components.
 
     Args:
-        plain: what moves, without derivatives.
+        plain: the motion without derivatives.
         count: of times.
         precision, longest: of steps.
 
@@ -215,7 +215,7 @@ class Motion:
             )
             for x, part in zip(cotangents, (of_start, 0.0, of_numbers, 0.0), strict=True):
                 x[some] = part
-        if not good.all():  # what is damped fast has no way back
+        if not good.all():  # fast damping has no way back
             rest = [x[~good] for x in (start, late, numbers, scales)]
             for x, part in zip(cotangents, self._by_columns(rest, weights[~good]), strict=True):
                 x[~good] = part
@@ -226,7 +226,7 @@ class Motion:
         return tuple(np.split(cotangents, np.cumsum(self.inputs)[:-1], axis=-1))
 
     def run(self, moving: AbstractSystem, arguments: Any, tangents: Array) -> Runs:
-        """Return a motion with tangents, which may be those of each copy."""
+        """Return a motion with tangents, common or those of each copy."""
         start, times, numbers, scales = arguments
         batch, copies = _batch(arguments), math.prod(_batch(arguments))
         flat = lambda x: np.broadcast_to(x, (*batch, x.shape[-1])).reshape(copies, x.shape[-1])  # noqa: E731

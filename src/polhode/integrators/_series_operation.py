@@ -26,7 +26,7 @@ class Series(NamedTuple):
 
     Attributes:
         states: (batch…, T, …).
-        received: name → what each balance received, (batch…, T).
+        received: name → the integral of each balance, (batch…, T).
         failed: (batch…) whether steps shrank to nothing.
         steps: (batch…) how many were taken.
     """

@@ -26,7 +26,7 @@ class Change(NamedTuple):
 class Memory(NamedTuple):
     """The memory of a solver: rounding errors of the sums, steps and iterations so far, success.
 
-    ``hint`` is what past steps tell the next one about where to start its search; results depend on it by rounding.
+    ``hint`` is where past steps suggest that the next one start its iteration; results depend on it by rounding.
     """
 
     lost: Double[Array, "*shape"]

@@ -1,8 +1,8 @@
-"""What all integrators share: inner steps, compensated sums, counts, and reports of failure.
+"""Shared by all integrators: inner steps, compensated sums, counts, and reports of failure.
 
 From sample to sample a solver takes ⌈Δt/step⌉ equal steps, for one state at a time: a batch is a ``vmap``. A method
 gives the *change* of the state over a step, computed without cancellation; changes are added by compensated sums, so
-that what a method keeps drifts by the rounding of small changes, not of whole states. Source: Higham, *Accuracy and
+that a conserved quantity drifts by the rounding of small changes, not of whole states. Source: Higham, *Accuracy and
 Stability of Numerical Algorithms*, §4.3; Hairer, McLachlan & Razakarivony, BIT 48 (2008) 231.
 """
 
@@ -31,7 +31,7 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
     """A one-step method for Lie–Poisson systems.
 
     Attributes:
-        system: what moves; diffrax hides a term's attributes, so the solver holds it.
+        system: which the solver holds, as diffrax hides a term's attributes.
         step_size: the largest step [s].
         keeps: the quantities that the method conserves, in words.
         symmetric: whether a step of length −h undoes one of length h, so that reverse-mode derivatives can go back by

@@ -72,7 +72,7 @@ def jumps_between(
 def depends_on_time(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
     """Return whether the rates of change at one state may depend on the time itself.
 
-    Systems of the same parts and shapes are looked at once.
+    Systems of equal parts and shapes are checked once.
     """
     shape = jax.ShapeDtypeStruct(jnp.shape(state), jnp.result_type(state))
     leaves, tree = jax.tree.flatten(system)
@@ -186,7 +186,7 @@ def _changes(
     spans = len(times) - 1
     each = int(np.clip(min(LIMITS.max_values // max(np.size(states[0]), 1), trials) // spans, 2, LIMITS.trials))
     tried = np.linspace(times[:-1], times[1:], each + 1, axis=-1)
-    # at random places, as what switches at the rate of equal trials would look the same at all of them
+    # at random places, as a switching at the rate of equal trials would look alike at all of them
     shifts = np.random.default_rng(0).uniform(-0.25, 0.25, (spans, each - 1))
     tried[:, 1:-1] += shifts * (np.diff(times)[:, None] / each)
     rates, which = _Rates(system, np.asarray(states)), np.repeat(np.arange(spans), each)
@@ -197,7 +197,7 @@ def _changes(
     longer = np.abs(np.diff(tried, axis=1)) * (each / np.abs(np.diff(times))[:, None])
     changes = np.ravel(np.nan_to_num(np.abs(np.diff(values, axis=1)).max(axis=-1), nan=size) / longer)
     least, usual = LIMITS.relative_rounding * size, float(np.median(changes))
-    # every step resolves what moves all the time; there only what rises above its surroundings jumps
+    # every step resolves a constant motion; beside it only a change that rises above its surroundings is a jump
     beside = np.maximum(np.roll(changes, 2), np.roll(changes, -2))
     risen = LIMITS.activity_factor * np.maximum(usual, beside)
     acts = changes > (np.maximum(least, risen) if usual > least else least)
@@ -288,7 +288,7 @@ def _with_fields(kind: Any, fields: dict[str, Any]) -> Any:
 
 @cache
 def _make_naming_class(kind: type[AbstractSystem]) -> type[AbstractSystem]:
-    """Return the class of the same systems with further jumps, one for each class, as what it computes is compiled."""
+    """Return the subclass with further jumps, one for each class, as its functions are compiled."""
 
     def jumps(self: Any) -> Array:
         own = jnp.ravel(jnp.asarray(super(made, self).jumps, float))  # a property, or an array of the class

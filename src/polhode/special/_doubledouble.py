@@ -21,7 +21,7 @@ DoubleDouble = tuple[Float64[ArrayOrFloat, "..."], Float64[ArrayOrFloat, "..."]]
 # of the functions here, which broadcast
 Operand = Float64[ArrayOrFloat, "*#shape"]
 Result = Float64[ArrayOrFloat, "*shape"]
-Pair = tuple[Operand, ...]  # high and low; a slice of what a loop carries has no length that is known
+Pair = tuple[Operand, ...]  # high and low; a slice of a value that a loop carries has no static length
 Pairs = tuple[Result, Result]
 
 PI: DoubleDouble = (np.pi, 1.2246467991473532e-16)
@@ -188,7 +188,7 @@ def distil(terms: list[Operand], passes: int = 5) -> Pairs:
     Source: Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, Algorithm 4.8 (SumK).
     """
     x = iterate(passes, _sweep, tuple(terms), like=next((t for t in terms if is_jax(t)), terms[0]))
-    # after the sweeps the last term holds the sum to double precision, and the others what it lacks
+    # after the sweeps the last term holds the sum to double precision, and the others its error
     rest = x[0]
     for term in x[1:-1]:
         rest = rest + term

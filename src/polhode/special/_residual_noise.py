@@ -31,11 +31,11 @@ class NoiseLimits(NamedTuple):
             hundred that is promised.
         drawn_in: standard deviations to which outliers are drawn in, as the fits themselves weigh them less.
         least_free: degrees of freedom that a band and all others together must have, for a comparison.
-        harmonics: of the rate of rotation, up to which what a model of rates leaves out is looked for.
+        harmonics: of the rate of rotation, up to which motion left out by a model of rates is looked for.
         compared: times that frequency, up to which their power is compared with; above it gyros have filters,
             vibrations and rounding.
         most_alike: correlation of neighbouring residuals of a filtered gyro at most.
-        exact: rad, residuals of computed attitudes, which rounding makes alike.
+        exact: rad, residuals of computed attitudes, which rounding correlates.
     """
 
     probability: float = 1e-4
@@ -72,7 +72,7 @@ class Misfit(NamedTuple):
 
     Attributes:
         test: of the residuals.
-        tried: what was tried as the cause: "air", "torque" or "wheel".
+        tried: the effect that was tried as the cause: "air", "torque" or "wheel".
         cause: which of these leaves noise alone, and explains the data; None where none does.
     """
 
@@ -169,7 +169,7 @@ def compare_bands(
     """Return the least probability by chance of a band's power over its expectation, and the number of bands.
 
     Args:
-        power: of each frequency, over what is expected of noise, up to one factor for all.
+        power: of each frequency, over the power expected of noise, up to one factor for all.
         freedom: degrees of freedom of each.
         tested: index of a frequency below which bands begin.
     """

@@ -19,7 +19,7 @@ def magnetic_numbers(s: float) -> Float64[Array, "n"]:
     """Return m = s, s − 1, …, −s, as floats (2s+1,).
 
     Raises:
-        InvalidInput: for what is not half a whole number, or negative.
+        InvalidInput: for a number that is negative, or not half a whole one.
     """
     if not (np.ndim(s) == 0 and isinstance(s, int | float | np.integer | np.floating) and math.isfinite(s)):
         raise InvalidInput(f"`s` must be one number, 0, 1/2, 1, …; got {shown(s)}.")
@@ -62,7 +62,7 @@ def spherical_tensor(s: float, q: int) -> Float64[np.ndarray, "n diagonal"]:
 
 
 def _signs(rows: Array, values: Array, diagonal: Array, beside: Array) -> Array:
-    """Return by what to multiply eigenvectors so that their first entries are positive, even where these underflow.
+    """Return the factors of eigenvectors with which their first entries are positive, even where these underflow.
 
     From the first entry the three-term recurrence grows, and so is stable, to where the entries are large; there it
     tells the sign.

@@ -1,6 +1,6 @@
 """Jacobi's elliptic functions and Legendre's integrals, given the *complementary* parameter m1 = 1 − m.
 
-The parameter m = k² is the square of the modulus. Near m = 1 it cannot carry what matters: 1 − m is then known to few
+The parameter m = k² is the square of the modulus. Near m = 1 it loses the information: 1 − m then has few
 digits or none, and functions that take m are wrong by order one beyond u = K, the quarter period. The nome of m is
 q = exp(−πK(m1)/K(m)), in whose powers theta functions are short series. Source: Whittaker & Watson, ch. 21–22; DLMF
 19, 20, 22.

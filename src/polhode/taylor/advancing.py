@@ -20,7 +20,7 @@ from polhode.types import Array, Float64, Integer
 
 
 class AdvancingLimits(NamedTuple):
-    """Bounds of a run, and of what is worth the effort."""
+    """Bounds of a run, and when threads pay off."""
 
     max_steps: int = 1_000_000_000  # of a run, about an hour
     relative_rounding: float = 1.1e-16  # of the change that one of the state by its own size makes: not put back
@@ -40,7 +40,7 @@ def begin_copies(
     crossed = np.zeros((copies, hits, 2 + n))
     if machine.exact is None:
         wanted, slack = _evaluate_conserved(machine, y, scale)
-    else:  # what has more digits is not to be put back by numbers that have fewer
+    else:  # a state with more digits is not to be put back by numbers that have fewer
         wanted = slack = np.zeros((copies, 0))
     low = np.zeros((copies, 0 if machine.exact is None else n))
     return Copies(y, low, scale, wanted, slack, np.zeros(copies, np.int64), samples, now, counts, crossed)
@@ -127,7 +127,7 @@ def integrals_at(
         use = choose_kernel(len(y) - first)
         part = slice(first, len(y) if use.is_compiled else first + by_python)
         states, points = np.zeros(n * use.lanes), np.ascontiguousarray(y[part])
-        # the system is asked only where the answer counts, as asking takes longer than a compiled run
+        # the time is measured only where it counts, as measuring takes longer than a compiled run
         before = 0.0 if use.is_compiled else time.process_time()
         with np.errstate(all="ignore"):
             use.conserved_values(series_for(machine.integrals, 1, use.lanes), points, states, columns[part])
@@ -138,7 +138,7 @@ def integrals_at(
 
 
 def _evaluate_conserved(machine: Machine, y: Array, scale: Array) -> tuple[Array, Array]:
-    """Return what is conserved (C, K) at starts (C, n), and the slack that it leaves."""
+    """Return the conserved quantities (C, K) at starts (C, n), and their slack."""
     n = machine.form.size
     values, slopes = integrals_at(machine, y[:, :n])
     finite = np.where(np.isfinite(scale[:, :n]), scale[:, :n], 0.0)

@@ -64,7 +64,7 @@ class Unrolled:
         moves: which of its arguments move.
 
     Raises:
-        Untraceable: for operations of what moves that have no rule.
+        Untraceable: for operations on moving values that have no rule.
     """
 
     def __init__(self, closed: Any, moves: list[bool]) -> None:
@@ -149,7 +149,7 @@ def _is_affine(equation: Any, moving: tuple[int, ...]) -> bool:
         return all(k < 2 for k in moving)
     if name == "scan":
         body, (known, carried) = parameters["jaxpr"], split_scan(parameters)
-        # what is carried moves if any of it does, or if what it is made of does
+        # a carried value moves if any part of it does, or if its operands do
         return _all_affine(body.jaxpr, {*moving, *range(known, known + carried)})
     return True
 
@@ -219,7 +219,7 @@ def _convolve(left: Series, right: Series, k: Any, weigh: Callable[[Any], Any] |
 
 
 class Present:
-    """The coefficient of the present order, where no other one is asked for."""
+    """The coefficient of the present order, where no other one is needed."""
 
     def __init__(self, value: Array) -> None:
         self.value = value

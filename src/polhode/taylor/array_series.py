@@ -150,7 +150,7 @@ class _Recurrence:
     """Taylor coefficients of everything that the rates of a system are made of, order by order.
 
     Attributes:
-        series: by place: coefficients of what moves, and values of what does not.
+        series: by place: coefficients of moving values, and constants.
         state: the place of the state.
     """
 
@@ -172,7 +172,7 @@ class _Recurrence:
         return places
 
     def changes(self, order: int) -> Float64[Array, "functions orders"]:
-        """Return bounds of how arguments of roots, exponentials and sines change, as parts of what they may.
+        """Return bounds of the changes of arguments of roots, exponentials and sines, as parts of the largest allowed.
 
         The k-th of an argument's row is of its coefficient of order k; see ``kernel_series.bound_change``.
         """

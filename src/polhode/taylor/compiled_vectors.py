@@ -121,7 +121,7 @@ def _gather(typing: Any, array: Any, places: Any, first: Any, base: Any) -> Any:
 
 
 def _declare_borrow(typing: Any, kind: Any) -> Any:
-    """Declare the same without owners: flat arrays of numbers as their addresses, in tuples too."""
+    """Declare these types without owners: flat arrays of numbers as their addresses, in tuples too."""
     bare = _bare(kind)
     return bare(kind), lambda context, builder, sig, args: _make_bare(context, builder, kind, args[0])
 
@@ -169,7 +169,7 @@ def _run_code(typing: Any, address: Any, flat: Any, a: Any, b: Any, number: Any,
 
 
 def _declare_view(of: Any) -> Callable[..., Any]:
-    """Return the declaration of the same memory as numbers of one kind."""
+    """Return the declaration of the memory as numbers of one kind."""
     kind = Numbers(of)
 
     def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
@@ -198,7 +198,7 @@ def _square_root(typing: Any, x: Any) -> Any:
 
 
 def _of_each(function: Callable[..., float], count: int) -> Callable[..., Any]:
-    """Return the declaration of a function of each number, and of another one that is the same for all."""
+    """Return the declaration of a function of each number, and of another one that all share."""
     doubles = (types.float64,) * count
 
     def generate(context: Any, builder: Any, sig: Any, args: Any) -> Any:
@@ -235,7 +235,7 @@ def _call(builder: Any, name: str, value: Any) -> Any:
 
 @cache
 def _define_arithmetic() -> None:
-    """Teach Numba sums, products and quotients of vectors, also with one number that is the same for all."""
+    """Teach Numba sums, products and quotients of vectors, also with one number that all share."""
     register: Any = infer_global  # whose types say it may be None
     for symbol, named in ARITHMETIC.items():
 

@@ -1,4 +1,4 @@
-"""Elementary functions of expressions: a node of what moves, a number of a number."""
+"""Elementary functions of expressions: a node of a moving argument, a number of a number."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ class Tape:
     Args:
         size: of the state.
         clock: which of its components is the time, or None.
-        instants: times between two jumps of the rates, at which branches on the time must come to the same.
+        instants: times between two jumps of the rates, at which branches on the time must agree.
     """
 
     def __init__(self, size: int, clock: int | None = None, instants: Any = ()) -> None:
@@ -55,7 +55,7 @@ class Tape:
         self.nodes: list[Node] = []
         self.values: dict[int, float] = {}  # of components that do not move
         self.looked_at: set[int] = set()  # of these, where an operation takes the number itself
-        self.sides: Any = None  # ``sides.Sides``, where branches on what moves are taken
+        self.sides: Any = None  # ``sides.Sides``, where branches on moving values are taken
         self.kept: dict[float, int] | None = None  # places of numbers that are on the tape and not computed with
         self.rounded = False  # whether numbers were computed with in spite of that, and rounded
         self._known: dict[Node, int] = {}
@@ -119,7 +119,7 @@ class Tape:
         return self.constant(value)
 
     def find_number(self, x: Any) -> float | None:
-        """Return the number that an expression is, if it is known, and note that it was asked for."""
+        """Return the value of an expression that is a given number, and note that it was used."""
         if not isinstance(x, Expression):
             return float(x)
         if not x.terms:
@@ -173,7 +173,7 @@ class Tape:
         return value_of(node, values)
 
     def decide(self, answers: np.ndarray) -> bool:
-        """Return the value of a branch on the time, which must be the same at all instants."""
+        """Return the value of a branch on the time, which must be equal at all instants."""
         if answers.any() != answers.all():
             raise Untraceable("a branch on the time that changes where no jump is named")
         return bool(answers.all())
@@ -184,7 +184,7 @@ class Tape:
         What moves is equal to something else for no time, but as it may stay so, where it does is a border.
 
         Raises:
-            Untraceable: for what moves, where no sides of branches are taken.
+            Untraceable: for moving values, where no sides of branches are taken.
         """
         difference = (x if isinstance(x, Expression) else self.constant(float(x))) - y
         if not difference.terms:
@@ -229,7 +229,7 @@ class Tape:
 
 
 def gradient(x: Expression) -> list[Expression]:
-    """Return the derivatives of an expression by the components of the state, as expressions of the same tape."""
+    """Return the derivatives of an expression by the components of the state, as expressions of its tape."""
     tape = x.tape
     slopes: dict[int, Expression] = {k: tape.constant(c) for k, c in x.terms.items()}
     # backwards from the last node: by the time a node is taken, all that depend on it have been

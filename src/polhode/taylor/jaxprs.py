@@ -1,4 +1,4 @@
-"""Questions about a jaxpr, JAX's list of the operations of a function, that are asked before it is evaluated."""
+"""Properties of a jaxpr, JAX's list of the operations of a function, needed before it is evaluated."""
 
 from __future__ import annotations
 

@@ -91,13 +91,13 @@ class Machine(NamedTuple):
 
     Attributes:
         form: of a state.
-        program: of rates of change of the state, of what balances receive, of the time; then of what is watched.
-        integrals: of what is conserved, then of its gradients.
-        names: of what is conserved.
+        program: of rates of change of the state, of integrals of balances, of the time; then of watched functions.
+        integrals: of conserved quantities, then of their gradients.
+        names: of conserved quantities.
         balances: names.
         events: names.
         clock: component that is the time, or −1.
-        branches: on what moves, of which ``program`` has one side each, whose differences it gives last; or None.
+        branches: on moving values, of which ``program`` has one side each, whose differences it gives last; or None.
         exact: program of rates whose first coefficients have twice as many digits: of the same state, then of
             ``numbers``, those of the system and of its formulas, so that what is computed of them, as one over a
             moment, has these digits too; or None.
@@ -126,7 +126,7 @@ def build_machine(
         between: two times [s] between which no jump is named.
         through: a function of time and state that is watched too, after the events.
         extended: whether first coefficients are to have twice as many digits.
-        signs: the sides of branches on what moves, none to begin with at the state; with None there may be no such.
+        signs: the sides of branches on moving values, () to begin with those at the state; None if there may be none.
 
     Raises:
         Untraceable: if rates, balances or events are not made of operations that have a recurrence, or of those that
@@ -188,10 +188,10 @@ class _Written(NamedTuple):
     """A system's functions of time, real numbers of a state, and those of the system.
 
     Attributes:
-        closed: of JAX: rates, what balances receive, what is watched.
+        closed: of JAX: rates, those of balances, watched functions.
         balances: names.
         timed: whether any of it uses the time.
-        operations: about how many are done to what moves.
+        operations: about how many, on moving values.
     """
 
     closed: Any
@@ -276,12 +276,12 @@ def _components(size: int, form: Form, written: _Written, start: tuple[float, ..
     return y
 
 
-@np.errstate(all="ignore")  # of what is not finite, the motion's own checks say where
+@np.errstate(all="ignore")  # the motion's own checks report values that are not finite
 def _make_tape(
     written: _Written, form: Form, numbers: Array, inside: Array, sides: Sides | None = None,
     kept: list[float] | None = None,
 ) -> tuple[Tape, list[Expression], list[Expression]]:
-    """Return a tape with rates and what is watched.
+    """Return a tape with rates and watched functions.
 
     With a list of numbers in formulas, those of the system and they are components that follow the state.
     """
@@ -360,9 +360,9 @@ def _evaluate_if_possible(closed: Any, places: dict[str, int], state: Array, num
 def _write_conserved(
     structure: Structure, form: Form, of_copies: frozenset[str], carries_attitude: bool
 ) -> tuple[Any, dict[str, int]]:  # fmt: skip
-    """Return a jaxpr of a state's real numbers and of those of the system, and where it gives what is conserved.
+    """Return a jaxpr of the real numbers of state and system, and the places of conserved quantities in it.
 
-    Vectors are left out, unless they hold one number for each copy (``of_copies``), and so is what would have too many
+    Vectors are left out, unless they hold one number for each copy (``of_copies``), and so are quantities with too many
     gradients.
     """
 

@@ -25,7 +25,7 @@ class Operation(IntEnum):
     ECCENTRIC_SINE = 8  # sin E, which follows E
     ECCENTRIC_COSINE = 9  # cos E, which follows that
     TANH = 10
-    SQUARED_SECANT = 11  # 1/cosh² of the same, behind its tanh
+    SQUARED_SECANT = 11  # 1/cosh² of its argument, behind its tanh
     EXPONENTIAL_MINUS_ONE = 12
     LOGARITHM_OF_ONE_PLUS = 13
 
@@ -44,7 +44,7 @@ class Node(NamedTuple):
         operation: which.
         arguments: numbers of nodes.
         coefficients: of the arguments of an affine combination, as many.
-        number: what an affine combination adds, the exponent of a power, or an eccentricity.
+        number: the constant of an affine combination, the exponent of a power, or an eccentricity.
     """
 
     operation: Operation

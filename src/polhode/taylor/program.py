@@ -24,7 +24,7 @@ CODE, OUT, ARGUMENT, LEFT, RIGHT, START, INDEX, NUMBER, FACTOR, CONSTANT = range
 OF_ROOT, OF_EXPONENTIAL, OF_TANH, OF_ONE_PLUS, OF_ANGLE = range(5)
 
 
-@dataclass(frozen=True, eq=False)  # a program is equal to itself alone, so that what is made of it can be kept
+@dataclass(frozen=True, eq=False)  # a program is equal to itself alone, so that results derived from it can be kept
 class Program:
     """A program for a kernel, in two flat arrays, as compiled functions take two arguments faster than twenty.
 

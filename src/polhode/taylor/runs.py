@@ -75,12 +75,12 @@ class Runs(NamedTuple):
 
     Attributes:
         states: (C, T, *shape) samples; infinite after the end.
-        received: (C, T, B) what balances received.
+        received: (C, T, B) integrals of balances.
         status: (C,) numbers of ``Status``.
         event: (C,) which event ended it, −1 where none did.
         end: (C,) [s] the event's own time, or the last; NaN where steps shrank to nothing.
         end_state: (C, *shape) the state then.
-        end_received: (C, B) what balances received until then.
+        end_received: (C, B) integrals of balances until then.
         steps: (C,) how many were taken.
         balances: their names.
     """
@@ -191,7 +191,7 @@ def runs_back(
     At each of the times these are set to the given values, and the kicks are added to all.
 
     Args:
-        system: what moves, with one axis of real numbers.
+        system: with one axis of real numbers.
         known: the first components, in the order of the times.
         kicks: zero for these.
         times: (T,) [s], of the motion ahead.
@@ -295,7 +295,7 @@ class Watch(NamedTuple):
 
 
 def _advance_through(plan: Plan, copies: Copies, check: Callable[[float], None], watch: Watch | None = None) -> Copies:
-    """Move copies to the last time, or as far as they come, and return them, with more room for what they cross."""
+    """Move copies to the last time, or as far as they come, and return them, with more room for crossings."""
     # the system's events fall from positive to zero, and end the motion
     falling = np.ones(len(plan.machines[0].events) + (watch is not None), bool)
     stops = falling.copy()

@@ -1,4 +1,4 @@
-"""Branches on what moves: a program holds on one side of each, and a step ends where the motion goes to the other.
+"""Branches on moving values: a program holds on one side of each, and a step ends where the motion goes to the other.
 
 A field with corners or jumps, such as the greater of two numbers, is smooth between them. Its program is written for
 the sides on which the motion is; the differences that tell the sides are watched as events are, so that no crossing is
@@ -36,7 +36,7 @@ LIMITS = SideLimits()
 
 
 class Sides:
-    """The branches on what moves that a tape has met, in the order in which a function asks for them.
+    """The branches on moving values that a tape has met, in the order of a function's comparisons.
 
     Args:
         signs: whether each difference is taken to be positive; of further ones the values at the point decide.
@@ -225,8 +225,8 @@ class Branches:
             y: their components.
             forth: 1, or −1 backward in time.
             crossed: (C,) places in the order of branches that they are at the border of, −1 for none.
-            units: (C,) of time, such as the lengths of their steps: borders that are crossed at the same time to
-                rounding are so together.
+            units: (C,) of time, such as the lengths of their steps: borders that are crossed within a rounding of
+                one time are crossed together.
 
         Raises:
             Untraceable: where a motion goes along a border, or only touches it.

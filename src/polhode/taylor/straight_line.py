@@ -217,7 +217,7 @@ class _Writer(Writer):
         return range(first, first + self.counts[q])
 
     def _of_copies(self, products: Sequence[tuple[int, int, int]]) -> Terms:
-        """Return what gives the terms of products, whose common factors are loaded once; see ``kernel_lanes``."""
+        """Return the function for the terms of products, whose common factors are loaded once; see ``kernel_lanes``."""
 
         def terms(left: Any, right: Any) -> list[Any]:
             lefts, rights = self._locate_row(left), self._locate_row(right)
@@ -250,7 +250,7 @@ class _Writer(Writer):
         return terms
 
     def _sums(self, k: Any, now: Any, terms: Terms, places: Sequence[int]) -> None:
-        """Write both sums of each product, and store what they make; ``terms`` are of two orders that make k."""
+        """Write both sums of each product, and store them; ``terms`` are of two orders that make k."""
         builder, none, one = self.builder, INTEGER(0), INTEGER(1)
         count, start = len(places), terms(k, none) + terms(none, k)
 

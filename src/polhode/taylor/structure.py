@@ -19,7 +19,7 @@ class Structure:
     """A system without its numbers; two are equal if their systems differ by these alone.
 
     Attributes:
-        key: what is compared.
+        key: by which structures are compared.
         rest: the system without the real numbers in its arrays.
         form: of the tree of these arrays.
         shapes: of these arrays.

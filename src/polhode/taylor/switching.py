@@ -1,4 +1,4 @@
-"""Motions past branches on what moves: from one border to the next, each copy by the program of the sides it is on."""
+"""Motions past branches on moving values: from border to border, each copy by the program of the sides it is on."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ LIMITS = SwitchingLimits()
 
 
 class Watched(NamedTuple):
-    """What is watched besides borders.
+    """The watched functions besides borders.
 
     Attributes:
         falling: (W,) whether only changes from positive to negative count.
         stops: (W,) whether they end the motion.
         most: how many of those that do not are noted.
         enlarge: makes room for more of them.
-        late: (C,) roundings of the time by which copies cross borders too late, to show what that makes; or None.
+        late: (C,) roundings of the time by which copies cross borders too late, to show the effect; or None.
         changes: how many small changes of its first components a state has behind these.
         size: of a state.
     """
@@ -71,7 +71,7 @@ def advance_past_branches(
         build: returns the machine for other ``signs``.
         course_of: returns the course by a machine; with which watched functions have to fall, and which end it.
         check, share: as of ``advance_copies``.
-        watched: what the machine watches before the borders.
+        watched: the functions that the machine watches before the borders.
 
     Returns:
         The copies, which may have more room, and the sides on which a copy is then.
@@ -102,7 +102,7 @@ class _Run:
                  course_of: Callable[[Copies, Machine, Array, Array], Course], watched: Watched) -> None:  # fmt: skip
         count = len(copies.status)
         self.copies, self.course_of, self.watched, self.reason = copies, course_of, watched, ""
-        self.machine_of = cache(lambda each: build(signs=each))  # asked often, and hashing a system takes long
+        self.machine_of = cache(lambda each: build(signs=each))  # called often, and hashing a system takes long
         self.open: Bool[Array, "copies"] = np.isin(copies.status, (kernel.RUNNING, kernel.DONE))
         if machine.clock >= 0:
             copies.y[:, machine.clock] = copies.now[:, TIME]
@@ -116,7 +116,7 @@ class _Run:
         self, each: Signs, together: Integer[np.ndarray, "some"], check: Callable[[float], None],
         share: Callable[[float], float],
     ) -> None:  # fmt: skip
-        """Move copies that are on the same sides to where they leave these, or to their end."""
+        """Move copies on equal sides to where they leave these, or to their end."""
         machine, status = self.machine_of(each), self.copies.status
         branches, own = _branches(machine), len(self.watched.falling)
         before = status.copy()

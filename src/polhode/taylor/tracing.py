@@ -1,8 +1,8 @@
 """From a function written with JAX to a tape: its jaxpr, evaluated on arrays of expressions.
 
-Numbers stay numbers, so that what depends on parameters alone is computed once. What moves data is done to arrays of
-expressions as to any others; what is linear with known coefficients is done to unit vectors. Branches are taken as the
-time or ``sides`` tell; others, and functions that no recurrence is known of, raise ``Untraceable``.
+Numbers stay numbers, so that results of parameters alone are computed once. Moving data is done to arrays of
+expressions as to any others; operations linear with constant coefficients are applied to unit vectors. The time or
+``sides`` decide branches; others, and functions without a recurrence, raise ``Untraceable``.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ EXACT = frozenset({  # operations that round no number
 
 @contextlib.contextmanager
 def keep_numbers(tape: Tape) -> Iterator[None]:
-    """Let what is evaluated within keep the numbers that are in ``tape.kept``, where that is not None."""
+    """Make evaluations within keep the numbers that are in ``tape.kept``, where that is not None."""
     token = _keeping.set(None if tape.kept is None else tape)
     try:
         yield
@@ -67,7 +67,7 @@ def keep_numbers(tape: Tape) -> Iterator[None]:
 
 
 def evaluate(closed: Any, *arguments: Array, places: Sequence[int] | None = None) -> list[Any]:
-    """Return the values of a jaxpr: all, or those at some places, with what these need.
+    """Return the values of a jaxpr: all, or those at some places, with those that these need.
 
     Args:
         closed: of a function of real arrays.
@@ -228,7 +228,7 @@ NAMED["_whole_turns"] = lambda mean_anomaly: np.zeros(mean_anomaly.shape)
 RULES["log"] = _elementary(logarithm)
 RULES["log1p"] = _elementary(logarithm_of_one_plus)
 RULES["expm1"] = _elementary(exponential_minus_one)
-# of two with the same sign, so that a small one keeps its digits
+# of two with equal signs, so that a small one keeps its digits
 RULES["sinh"] = _elementary(lambda a: (exponential_minus_one(a) - exponential_minus_one(-a)) * 0.5)
 RULES["cosh"] = _elementary(lambda a: (exponential(a) + exponential(-a)) * 0.5)
 RULES["tanh"] = _elementary(hyperbolic_tangent)
@@ -368,7 +368,7 @@ def _rearrange(x: list[Array], parameters: dict[str, Any], equation: Any) -> lis
             numbered.append(places.reshape(a.shape))
         else:
             numbered.append(a)
-    # places have the type of what moves, which may be complex
+    # places have the type of the moving values, which may be complex
     return [_each(lambda k: elements[int(k)], np.real(places)) for places in by_numbers(equation, numbered)]
 
 

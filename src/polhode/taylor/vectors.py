@@ -47,7 +47,7 @@ def spread(x: Any) -> Any:
 
 
 def where_less(x: Any, y: Any, yes: Any, no: Any) -> Any:
-    """Return what belongs to x < y or to its contrary."""
+    """Return the first value where x < y, the other elsewhere."""
     return yes if x < y else no
 
 

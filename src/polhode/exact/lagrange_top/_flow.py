@@ -185,7 +185,7 @@ def _taylor(xp: Any, now: Array, length: Array, products: Any, rates: Any) -> Ar
 
 
 def _taylor_in_place(now: Array, length: Array, products: Any, rates: Any) -> Array:
-    """Return what ``_taylor`` does, on NumPy."""
+    """Return the sum of ``_taylor``, on NumPy."""
     rows = now.shape[0]
     series = np.zeros((LIMITS.order + 1, rows + len(products), *now.shape[1:]), dtype=np.result_type(now, length))
     series[0, :rows] = now

@@ -86,7 +86,7 @@ def _lingering(top: Reduction, lifted: Frequencies) -> Frequencies:
     """Return the frequencies of tops that leave the vertical from those of the lifted ones.
 
     The displacement grows and falls as e^{±x}, so K = πW/2ϖ is longer by ``climb``. During it α turns by c'/4 and
-    β not at all, so the turns of a nutation that are beyond that stay the same and their mean rates shrink as ϖ does.
+    β not at all, so the turns of a nutation that are beyond that stay unchanged and their mean rates shrink as ϖ does.
     """
     W, nutation, c_plus = lifted.half_root, lifted.nutation, dd.scale(top.c_plus, 0.25)
     pi = tuple(c + 0.0 * W[0] for c in dd.PI)

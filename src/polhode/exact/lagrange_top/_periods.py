@@ -87,7 +87,7 @@ class NutationChange(NamedTuple):
 
 
 def change_of_nutation(top: Nutation, change: Invariants) -> NutationChange:
-    """Return the period, and what it and the phases change by."""
+    """Return the period, and the changes of it and of the phases."""
     (I0, I1, I2, I3), period = moments_of_nutation(top)
     G, a, c, energy = top.G, top.a, top.c, top.energy
     e_c, e_a = 0.5 * (c * I0 + a * I1), 0.5 * (c * I1 + a * I2)
@@ -117,7 +117,7 @@ def _change_of_climbs(top: Nutation, change: Invariants) -> tuple[Number, Change
 def added_by_nutation(
     top: Nutation, start: tuple[Complex, Complex, Complex], change: Invariants
 ) -> Moved:
-    """Return what one nutation adds to the changes of α, β and w, after its phases are removed.
+    """Return the contribution of one nutation to the changes of α, β and w, after its phases are removed.
 
     That is −ẏ δT and the turns by δθ_α and δθ_β, with a δT taken out of each where it cancels.
 

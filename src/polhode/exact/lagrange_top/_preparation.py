@@ -25,7 +25,7 @@ STATES = ArrayStates(formulas)
 
 
 class Prepared(NamedTuple):
-    """The flattened ``Motion`` for evaluation, with what it came from."""
+    """The flattened ``Motion`` for evaluation, with its sources."""
 
     motion: Columns
     top: Reduction

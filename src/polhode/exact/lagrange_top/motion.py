@@ -43,7 +43,7 @@ class LagrangeMotion(AbstractMotion, Generic[Answer]):
 
     θ is the tilt of the body's third axis from the vertical, space z, up; Γ = Rᵀe_z. The Cayley–Klein parameters are
     quotients of theta functions, regular also where Euler angles are not, with phases in double-double: no step, no
-    drift, the same error at any time, from the sleeping top to the spherical pendulum (moments I1, I1, any I3; L3 = 0).
+    drift, equal errors at all times, from the sleeping top to the spherical pendulum (moments I1, I1, any I3; L3 = 0).
     All components are along the principal axes. Those of a motion made by ``from_body`` are along the body's given
     axes, in every attribute; ``axes`` then has the principal axes by columns, the third from the pivot to the centre of
     mass, and ``moments`` refer to these. ``along("principal")`` gives the other view.
