@@ -281,9 +281,9 @@ BAD = [
     ("CCSDS_AEM_VERS = 2.0", "CCSDS_OEM_VERS = 2.0", "line 1: an AEM begins with"),
     ("VERS = 2.0", "VERS = 3.0", "must be 1.0 or 2.0"),
     ("CCSDS_AEM_VERS = 2.0", "<aem>", "XML"),
-    ("META_STOP", "", "line 15: must be keyword = value|unknown keyword|must be keyword"),
+    ("META_STOP", "", "line 4: META_START has no META_STOP"),
     ("DATA_STOP\n", "", "DATA_START has no DATA_STOP"),
-    ("OBJECT_ID = 1996-062A\n", "", "line 4: the metadata need OBJECT_ID"),
+    ("OBJECT_ID = 1996-062A\n", "", "line 4: OBJECT_ID is missing"),
     ("OBJECT_NAME", "OBJECT_NAMES", "line 5: unknown keyword 'OBJECT_NAMES'; did you mean OBJECT_NAME"),
     ("OBJECT_NAME = A", "OBJECT_NAME =", "line 5: OBJECT_NAME must have a value"),
     ("OBJECT_ID", "OBJECT_NAME = B\nOBJECT_ID", "line 6: OBJECT_NAME is there already, in line 5"),
@@ -303,7 +303,7 @@ BAD = [
     ("START_TIME = 2020-01-01T00:00:00", "START_TIME = yesterday", "line 10: START_TIME must be an epoch like"),
     ("TIME_SYSTEM", "ATTITUDE_DIR = B2A\nTIME_SYSTEM", "is of version 1.0"),
     ("VERS = 2.0", "VERS = 1.0", "ATTITUDE_DIR must be A2B or B2A"),
-    ("DATA_STOP\n", "DATA_STOP\nMORE = 1\n", "line 17: must be META_START of the next segment"),
+    ("DATA_STOP\n", "DATA_STOP\nMORE = 1\n", "line 17: META_START must follow DATA_STOP"),
 ]
 
 
@@ -320,7 +320,7 @@ def test_files_that_are_wrong(tmp_path, old, new, words):
     ("EULER_ANGLE", "EULER_ROT_SEQ = XXZ\n", "2.0", "EULER_ROT_SEQ must be three axes"),
     ("QUATERNION/ANGVEL", "", "2.0", "ANGVEL_FRAME must be one of the two frames"),
     ("QUATERNION/ANGVEL", "ANGVEL_FRAME = ICRF\n", "2.0", "ANGVEL_FRAME must be one of the two frames"),
-    ("QUATERNION", "ATTITUDE_DIR = A2B\n", "1.0", "QUATERNION_TYPE must say FIRST or LAST"),
+    ("QUATERNION", "ATTITUDE_DIR = A2B\n", "1.0", "QUATERNION_TYPE must be FIRST or LAST"),
     ("QUATERNION/RATE", "QUATERNION_TYPE = LAST\nATTITUDE_DIR = B2A\nRATE_FRAME = REF_FRAME_B\n", "1.0", "leaves open"),
 ])  # fmt: skip
 def test_files_that_leave_open_what_they_mean(tmp_path, kind, extra, version, words):

@@ -11,8 +11,9 @@ from scipy.spatial.transform import Rotation
 
 from polhode import rotation
 from polhode.errors import FormatError
-from polhode.spacecraft.formats.adm_keywords import KEYWORDS, explain_keyword
-from polhode.spacecraft.formats.adm_state import read_acm, read_apm
+from polhode.spacecraft.formats.adm_keywords import ACM as ACM_TABLE
+from polhode.spacecraft.formats.adm_keywords import APM as APM_TABLE
+from polhode.spacecraft.formats.adm_state import LIMITS, read_acm, read_apm
 
 TURN = Rotation.from_euler("ZYX", [40.0, -20.0, 10.0], degrees=True)
 """From the body's axes to those of space."""
@@ -188,19 +189,20 @@ def test_all_that_the_standard_has_may_be_there(tmp_path):
 
 def test_every_keyword_of_each_table_is_known():
     """Those that the message above has, and each of a few that exclude one another."""
-    assert not explain_keyword("ACM", "MAN", "TARGET_ATTITUDE") and not explain_keyword("ACM", "MAN", "MAN_END_TIME")
-    assert not explain_keyword("APM", "SPIN", "NUTATION_VEL") and not explain_keyword("APM", "MAN", "MAN_TOR_Z")
-    assert explain_keyword("ACM", "PHYS", "USER_DEFINED_X") and explain_keyword("APM", "MAN", "MAN_TOR_1")
-    assert set(KEYWORDS["APM"]) == {"", "QUAT", "EULER", "ANGVEL", "SPIN", "INERTIA", "MAN"}
+    explain_acm, explain_apm = ACM_TABLE.explain_keyword, APM_TABLE.explain_keyword
+    assert not explain_acm("MAN", "TARGET_ATTITUDE") and not explain_acm("MAN", "MAN_END_TIME")
+    assert not explain_apm("SPIN", "NUTATION_VEL") and not explain_apm("MAN", "MAN_TOR_Z")
+    assert explain_acm("PHYS", "USER_DEFINED_X") and explain_apm("MAN", "MAN_TOR_1")
+    assert set(APM_TABLE.blocks) == {"", "QUAT", "EULER", "ANGVEL", "SPIN", "INERTIA", "MAN"}
 
 
 @pytest.mark.parametrize(("change", "words"), [
     (("WET_MASS = 10", "WETT_MASS = 10"), r"line 45: unknown keyword 'WETT_MASS'; did you mean WET_MASS\?"),
     (("WET_MASS = 10", "WET_MASS 10"), "line 45: must be keyword = value here; got 'WET_MASS 10 .kg.'"),
     (("TIME_SYSTEM = UTC", "TIMESYSTEM = UTC"), r"unknown keyword 'TIMESYSTEM'; did you mean TIME_SYSTEM\?"),
-    (("DRY_MASS =", "WET_MASS = 1 [kg]\nDRY_MASS ="), "WET_MASS stands in line 45 too, and one of them must be wrong"),
+    (("DRY_MASS =", "WET_MASS = 1 [kg]\nDRY_MASS ="), "WET_MASS is there already, in line 45, and one of"),
     (("PHYS_START", "PHYSICS_START"), r"line 43: unknown block 'PHYSICS_START'; did you mean PHYS_START\?"),
-    (("PHYS_STOP\n", ""), "line 43: this block has no PHYS_STOP"),
+    (("PHYS_STOP\n", ""), "line 43: PHYS_START has no PHYS_STOP"),
     (("MAN_PURPOSE =", "WHY ="), "unknown keyword 'WHY'; known here are MAN_ID, "),
     (("USER_DEFINED_OX", "OX"), "unknown keyword 'OXIDIZER'; "),
     (("NUMBER_STATES = 7\nATT", "NUMBER_STATES = 4\nATT"), "line 35: NUMBER_STATES must be how many numbers .* 7; got"),
@@ -247,3 +249,23 @@ def test_elements_that_the_schema_does_not_have(tmp_path, changes, words):
         text = text.replace(*change)
     with pytest.raises(FormatError, match=words):
         read_apm(saved(tmp_path, text))
+
+
+@pytest.mark.parametrize(("angle", "differs"), [(0.0099, False), (0.0101, True)])
+def test_attitudes_of_one_instant_that_differ_by_more_than_rounding(tmp_path, angle, differs):
+    assert LIMITS.max_angle == 0.01
+    text, other = apm(), apm(turn=TURN * Rotation.from_rotvec([0.0, angle, 0.0]))
+    block = other[other.index("QUAT_START") : other.index("ANGVEL_START")]
+    found = read_apm(saved(tmp_path, text.replace("ANGVEL_START", f"{block}ANGVEL_START")))
+    assert ("its attitudes differ by" in found.outcome.message) == differs
+
+
+def test_text_keeps_its_brackets_and_numbers_lose_their_units(tmp_path):
+    found = read_apm(saved(tmp_path, apm().replace("OBJECT_NAME = SAT", "OBJECT_NAME = SAT [7]")))
+    assert found.source.labels.object_name == "SAT [7]"
+
+
+def test_a_file_with_two_messages_is_refused(tmp_path):
+    one = XML[XML.index("<apm") :]
+    with pytest.raises(FormatError, match="has 2 APMs in it"):
+        read_apm(saved(tmp_path, f"<ndm>{one}{one}</ndm>"))

@@ -403,12 +403,12 @@ def test_an_aem_in_xml_of_version_2(tmp_path, kind):
 
 
 @pytest.mark.parametrize(("change", "words"), [
-    (("<QC>0.4886148886986714</QC>", ""), "line 12: has no QC, as ATTITUDE_TYPE"),
+    (("<QC>0.4886148886986714</QC>", ""), "line 12: QC is missing in this block attitudeState"),
     (("<QC>0.4886148886986714</QC>", "<QC>half</QC>"), "line 13: QC must be a number"),
-    (('<QC_DOT units="1/s">3.0077', '<QC_DOT units="rad/s">3.0077'), "must be in degrees; got 'rad/s'"),
+    (('<QC_DOT units="1/s">3.0077', '<QC_DOT units="rad/s">3.0077'), "line 15: QC_DOT must be in 1/s; got 'rad/s'"),
     (("</aem>", ""), "is not well-formed XML"),
-    (('version="1.0">\n  <header>', 'version="3.0">\n  <header>'), "version must be 1.0 or 2.0"),
-    (("<OBJECT_ID>2020-012A</OBJECT_ID>", ""), "the metadata need OBJECT_ID"),
+    (('version="1.0">\n  <header>', 'version="3.0">\n  <header>'), "line 2: CCSDS_AEM_VERS must be 1.0 or 2.0"),
+    (("<OBJECT_ID>2020-012A</OBJECT_ID>", ""), "OBJECT_ID is missing in this block META"),
     (("<aem ", '<!DOCTYPE aem [<!ENTITY a "b">]><aem '), "has a DOCTYPE"),
     (("13:31:20.5</EPOCH>", "13:31:19.5</EPOCH>"), "epochs must ascend"),
     (("13:31:20.5</EPOCH>", "25:31:20.5</EPOCH>"), "the epoch has no such time of day"),

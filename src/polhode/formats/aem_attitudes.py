@@ -15,17 +15,26 @@ import numpy as np
 from polhode import rotation
 from polhode.types import Array, Float64
 
+
+def _in(unit: str, *keywords: str) -> dict[str, str]:
+    return dict.fromkeys(keywords, unit)
+
+
+VELOCITY = _in("deg/s", "ANGVEL_X", "ANGVEL_Y", "ANGVEL_Z")
+_QUATERNION, _ANGLES = _in("", "Q1", "Q2", "Q3", "QC"), _in("deg", "ANGLE_1", "ANGLE_2", "ANGLE_3")
+_SPIN = _in("deg", "SPIN_ALPHA", "SPIN_DELTA", "SPIN_ANGLE") | _in("deg/s", "SPIN_ANGLE_VEL")
 COLUMNS = {
-    "QUATERNION": 4,
-    "QUATERNION/DERIVATIVE": 8,
-    "QUATERNION/ANGVEL": 7,
-    "EULER_ANGLE": 3,
-    "EULER_ANGLE/DERIVATIVE": 6,
-    "EULER_ANGLE/ANGVEL": 6,
-    "SPIN": 4,
-    "SPIN/NUTATION": 7,
-    "SPIN/NUTATION_MOM": 7,
+    "QUATERNION": _QUATERNION,
+    "QUATERNION/DERIVATIVE": _QUATERNION | _in("1/s", "Q1_DOT", "Q2_DOT", "Q3_DOT", "QC_DOT"),
+    "QUATERNION/ANGVEL": _QUATERNION | VELOCITY,
+    "EULER_ANGLE": _ANGLES,
+    "EULER_ANGLE/DERIVATIVE": _ANGLES | _in("deg/s", "ANGLE_1_DOT", "ANGLE_2_DOT", "ANGLE_3_DOT"),
+    "EULER_ANGLE/ANGVEL": _ANGLES | VELOCITY,
+    "SPIN": _SPIN,
+    "SPIN/NUTATION": {**_SPIN, "NUTATION": "deg", "NUTATION_PER": "s", "NUTATION_PHASE": "deg"},
+    "SPIN/NUTATION_MOM": {**_SPIN, "MOMENTUM_ALPHA": "deg", "MOMENTUM_DELTA": "deg", "NUTATION_VEL": "deg/s"},
 }
+"""Columns of each type of attitude: the keyword of each, and its unit."""
 OLD_NAMES = {"QUATERNION/RATE": "QUATERNION/ANGVEL", "EULER_ANGLE/RATE": "EULER_ANGLE/ANGVEL"}  # of version 1.0
 FAR_FROM_UNIT = 1e-3
 """Files print quaternions with five digits or more; a larger distance from unit length is a mistake."""

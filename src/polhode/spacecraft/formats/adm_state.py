@@ -16,27 +16,38 @@ import numpy as np
 from polhode import rotation
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.aem_attitudes import Meaning, attitudes
-from polhode.formats.epochs import TIME_SYSTEMS, read_epoch, shortest, since
-from polhode.formats.labels import AttitudeLabels, Recording, is_in_spacecraft, plain
+from polhode.formats.aem_attitudes import COLUMNS, VELOCITY, Meaning, attitudes
+from polhode.formats.epochs import read_epoch, shortest, since
+from polhode.formats.labels import AttitudeLabels, Recording, plain
 from polhode.formats.numerals import read_number
 from polhode.motion._layout import ATTITUDE, MOMENTUM, StateLayout
 from polhode.motion._outcome import Ending, Outcome
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
-from polhode.spacecraft.formats.adm_blocks import Block, read_blocks
+from polhode.spacecraft.formats.adm_blocks import CHECK, Block, refuse
+from polhode.spacecraft.formats.adm_keywords import ACM, APM
+from polhode.spacecraft.formats.adm_reading import read_blocks
 from polhode.types import Array
 
-QUATERNION = ("Q1", "Q2", "Q3", "QC")
-DERIVATIVE = tuple(f"{name}_DOT" for name in QUATERNION)
-ANGLES, VELOCITY = ("ANGLE_1", "ANGLE_2", "ANGLE_3"), ("ANGVEL_X", "ANGVEL_Y", "ANGVEL_Z")
-SPIN = ("SPIN_ALPHA", "SPIN_DELTA", "SPIN_ANGLE")
 INERTIA = {"IXX": (0, 0), "IYY": (1, 1), "IZZ": (2, 2), "IXY": (0, 1), "IXZ": (0, 2), "IYZ": (1, 2)}
-APART = 0.01  # rad; two attitudes of one instant that differ by more are no rounding
-RATES = {"ANGVEL": "ANGVEL", "Q_DOT": "DERIVATIVE", "EULER_RATE": "DERIVATIVE", "GYRO_BIAS": "", "NONE": ""}
-RATE_WIDTHS = {"ANGVEL": 3, "Q_DOT": 4, "EULER_RATE": 3, "GYRO_BIAS": 3, "NONE": 0}
+FAMILIES = {"QUATERNION": "QUATERNION", "EULER_ANGLES": "EULER_ANGLE"}
+RATES = {"ANGVEL": ("ANGVEL", 3), "Q_DOT": ("DERIVATIVE", 4), "EULER_RATE": ("DERIVATIVE", 3), "GYRO_BIAS": ("", 3),
+         "NONE": ("", 0)}  # fmt: skip
+"""Rates of an ACM: as an AEM calls them, and how many numbers they are."""
 SIGNS = "IXY, IXZ and IYZ are taken as entries of the inertia matrix, which are minus the products of inertia"
-WIDTHS = {"QUATERNION": 4, "EULER_ANGLES": 3}
+
+
+class AgreementLimits(NamedTuple):
+    """When two attitudes of one instant are the same.
+
+    Attributes:
+        max_angle: [rad] between them; more is no rounding.
+    """
+
+    max_angle: float = 0.01
+
+
+LIMITS = AgreementLimits()
 
 
 class _State(NamedTuple):
@@ -60,22 +71,19 @@ def read_apm(path: Path) -> Trajectory:
         InvalidInput: where the file is missing.
         FormatError: naming the line, for what is no APM of version 2.0, or has no attitude.
     """
-    first, *blocks = read_blocks(path, "APM")
-    whole, picoseconds = _epoch(first, "EPOCH")
+    first, *blocks = read_blocks(path, APM)
+    zero = first.epoch("EPOCH")
     states = [state for block in blocks for state in _states(block)]
-    known = [state for state in states if state.attitude is not None]
-    if not known:
-        raise FormatError(f"{path}: has no attitude, in blocks QUAT, EULER or SPIN. Check the file.")
-    attitude = known[0].attitude
-    assert attitude is not None
+    taken, *others = [state for state in states if state.attitude is not None] or [None]
+    if taken is None:
+        refuse(path, None, f"has no attitude, in blocks QUAT, EULER or SPIN. {CHECK}")
+    assert taken.attitude is not None
     rated = next((state for state in states if state.velocity is not None), None)
-    velocity = None if rated is None else _along_body(rated, known[0])
-    doubts = [doubt for state in known[1:] if (doubt := _doubt_attitude(known[0], state))]
-    if rated is not None and plain(rated.space) != plain(known[0].space):
-        doubts.append(f"its angular velocity is relative to {rated.space}, and the attitude to {known[0].space}")
-    names = known[0].space, known[0].body
-    rates = None if velocity is None else velocity[None]
-    return _make(first, blocks, names, (whole, picoseconds), np.zeros(1), attitude[None], rates, doubts)
+    velocity = None if rated is None else _along_body(rated, taken)[None]
+    doubts = [doubt for state in others if state and (doubt := _doubt_attitude(taken, state))]
+    if rated is not None and plain(rated.space) != plain(taken.space):
+        doubts.append(f"its angular velocity is relative to {rated.space}, and the attitude to {taken.space}")
+    return _make(first, blocks, (taken.space, taken.body), zero, np.zeros(1), taken.attitude[None], velocity, doubts)
 
 
 def read_acm(path: Path) -> Trajectory:
@@ -85,45 +93,43 @@ def read_acm(path: Path) -> Trajectory:
         InvalidInput: where the file is missing.
         FormatError: naming the line, for what is no ACM, or has no attitudes that are read.
     """
-    first, *blocks = read_blocks(path, "ACM")
-    zero = _epoch(first, "EPOCH_TZERO")
-    histories = [block for block in blocks if block.name == "ATT"]
-    if not histories:
-        raise FormatError(f"{path}: has no block ATT, whose attitudes would be read. Check the file.")
-    block = histories[0]
-    kind, rate = block.text("ATT_TYPE").upper(), block.text("RATE_TYPE", "NONE").upper()
-    if kind not in WIDTHS or rate not in RATES:
-        block.wrong("ATT_TYPE", "must be QUATERNION or EULER_ANGLES to be read here, with the RATE_TYPE "
+    first, *blocks = read_blocks(path, ACM)
+    zero = first.epoch("EPOCH_TZERO")
+    block, *others = [block for block in blocks if block.name == "ATT"] or [None]
+    if block is None:
+        refuse(path, None, f"has no block ATT, whose attitudes would be read. {CHECK}")
+    written, rate = block.text("ATT_TYPE").upper(), block.text("RATE_TYPE", "NONE").upper()
+    if written not in FAMILIES or rate not in RATES:
+        block.wrong("ATT_TYPE", f"must be {' or '.join(FAMILIES)} to be read here, with the RATE_TYPE "
                                 f"{', '.join(RATES)}")  # fmt: skip
-    rates = RATES[rate]
-    times, numbers = _rows(block, first.text("TIME_SYSTEM"), zero)
-    family = "QUATERNION" if kind == "QUATERNION" else "EULER_ANGLE"
-    space, body, backward = _frames(block)
-    sequence = None if family == "QUATERNION" else _sequence(block)
-    _check_width(block, kind, rate, numbers.shape[1])
-    width = WIDTHS[kind] + (RATE_WIDTHS[rate] if rates else 0)
+    times, numbers = _rows(block, first, zero)
+    family, (rates, _) = FAMILIES[written], RATES[rate]
+    space, body, backward = block.frames()
+    sequence = None if family == "QUATERNION" else block.sequence()
+    _check_width(block, written, rate, numbers.shape[1])
+    kind = f"{family}/{rates}" if rates else family
     # the velocity is along frame B, which is that of space where the rotation is from body to space
-    meaning = Meaning(f"{family}/{rates}" if rates else family, sequence, False, backward, backward)
-    attitude, velocity = _turn(block, meaning, numbers[:, :width])
-    doubts = [f"it has {len(histories)} blocks of attitudes, of which the first is read"] if histories[1:] else []
+    meaning = Meaning(kind, sequence, False, backward, backward)
+    attitude, velocity = _turn(block, meaning, numbers[:, : len(COLUMNS[kind])])
+    doubts = [f"it has {len(others) + 1} blocks of attitudes, of which the first is read"] if others else []
     return _make(first, blocks, (space, body), zero, times, attitude, velocity, doubts)
 
 
-def _check_width(block: Block, kind: str, rate: str, count: int) -> None:
+def _check_width(block: Block, written: str, rate: str, count: int) -> None:
     """Refuse lines of other numbers than the block announces.
 
     Raises:
         FormatError: for a count that is not NUMBER_STATES, or not that of the types of attitude and rate.
     """
-    if rate == ("EULER_RATE" if kind == "QUATERNION" else "Q_DOT"):
-        block.wrong("RATE_TYPE", f"must be ANGVEL, GYRO_BIAS, NONE or the derivative of {kind} to be read here; got "
+    if rate == ("EULER_RATE" if written == "QUATERNION" else "Q_DOT"):
+        block.wrong("RATE_TYPE", f"must be ANGVEL, GYRO_BIAS, NONE or the derivative of {written} to be read here; got "
                                  f"{rate}", "Have the rates written as ANGVEL.")  # fmt: skip
-    said, wanted = block.text("NUMBER_STATES", str(count)), WIDTHS[kind] + RATE_WIDTHS[rate]
-    if said.removeprefix("+").lstrip("0") != str(count):
+    given, wanted = block.text("NUMBER_STATES", str(count)), len(COLUMNS[FAMILIES[written]]) + RATES[rate][1]
+    if given.removeprefix("+").lstrip("0") != str(count):
         block.wrong("NUMBER_STATES", f"must be how many numbers follow the time in each line, {count}; got "
-                                     f"{shown(said)}")  # fmt: skip
+                                     f"{shown(given)}")  # fmt: skip
     if count != wanted:
-        block.wrong("ATT_TYPE", f"{kind} with RATE_TYPE {rate} needs {wanted} numbers after the time; got {count}")
+        block.wrong("ATT_TYPE", f"{written} with RATE_TYPE {rate} needs {wanted} numbers after the time; got {count}")
 
 
 def _make(
@@ -147,64 +153,33 @@ def _make(
     )  # fmt: skip
 
 
-def _epoch(first: Block, keyword: str) -> tuple[int, int]:
-    system = plain(first.text("TIME_SYSTEM"))
-    if system not in TIME_SYSTEMS:
-        first.wrong("TIME_SYSTEM", f"must be one of {', '.join(TIME_SYSTEMS)} to be read here; got {shown(system)}")
-    try:
-        return read_epoch(first.text(keyword), system)
-    except ValueError as error:
-        first.wrong(keyword, str(error))
-
-
-def _frames(block: Block) -> tuple[str, str, bool]:
-    """Return the space frame, the body's, and whether the rotation is from body to space."""
-    a, b = block.text("REF_FRAME_A"), block.text("REF_FRAME_B")
-    backward = is_in_spacecraft(a) and not is_in_spacecraft(b)
-    return (b, a, True) if backward else (a, b, False)
-
-
-def _sequence(block: Block) -> str:
-    sequence = block.text("EULER_ROT_SEQ").upper().translate(str.maketrans("123", "XYZ"))
-    if len(sequence) != 3 or set(sequence) - set("XYZ") or sequence[0] == sequence[1] or sequence[1] == sequence[2]:
-        block.wrong("EULER_ROT_SEQ", f"must be three axes, neighbours different, like ZXZ; got {shown(sequence)}")
-    return sequence
-
-
 def _turn(block: Block, meaning: Meaning, columns: Array) -> tuple[Array, Array | None]:
     try:
         return attitudes(meaning, columns)
     except ValueError as error:
-        raise FormatError(f"{block.path}, line {block.line}: {error.args[0]}. Check the file.") from None
+        raise FormatError(f"{block.path}, line {block.line}: {error.args[0]}. {CHECK}") from None
 
 
 def _states(block: Block) -> list[_State]:
     """Return what a block of an APM says about attitude and angular velocity; none for other blocks."""
-    if block.name not in ("QUAT", "EULER", "ANGVEL", "SPIN"):
+    family = {"QUAT": "QUATERNION", "EULER": "EULER_ANGLE", "SPIN": "SPIN", "ANGVEL": "ANGVEL"}.get(block.name)
+    if family is None:
         return []
-    space, body, backward = _frames(block)
-    if block.name == "ANGVEL":
+    space, body, backward = block.frames()
+    if family == "ANGVEL":
         along = plain(block.text("ANGVEL_FRAME", body))
         if along not in (plain(body), plain(space)):
             block.wrong("ANGVEL_FRAME", f"must be one of the two frames, {space} or {body}, to be read here; got "
                                         f"{shown(along)}", f"Have the rates written along {body}.")  # fmt: skip
-        velocity = np.radians(block.numbers(VELOCITY, "deg/s"))
+        velocity = np.radians(block.numbers(VELOCITY))
         return [_State(block, space, body, None, -velocity if backward else velocity, along != plain(body))]
-    if block.name == "QUAT":
-        rated = block.has(*DERIVATIVE)
-        columns = block.numbers(QUATERNION, "") + (block.numbers(DERIVATIVE, "1/s") if rated else [])
-        meaning = Meaning("QUATERNION/DERIVATIVE" if rated else "QUATERNION", backward=backward)
-    elif block.name == "EULER":
-        rates = tuple(f"{name}_DOT" for name in ANGLES)
-        rated = block.has(*rates)
-        columns = block.numbers(ANGLES, "deg") + (block.numbers(rates, "deg/s") if rated else [])
-        kind = "EULER_ANGLE/DERIVATIVE" if rated else "EULER_ANGLE"
-        meaning = Meaning(kind, _sequence(block), backward=backward)
-    else:
-        if backward:
-            block.wrong("REF_FRAME_A", "must be the space frame for spin data, and REF_FRAME_B the body's")
-        columns, meaning = _spin(block)
-    attitude, velocity = _turn(block, meaning, np.array([columns]))
+    if family == "SPIN" and backward:
+        block.wrong("REF_FRAME_A", "must be the space frame for spin data, and REF_FRAME_B the body's")
+    # spin data have more columns where the first of these is there, the others have derivatives only whole
+    kinds = (f"{family}/{more}" for more in ("DERIVATIVE", "NUTATION", "NUTATION_MOM") if f"{family}/{more}" in COLUMNS)
+    kind = next((kind for kind in kinds if block.has([*COLUMNS[kind]][: 5 if family == "SPIN" else None])), family)
+    meaning = Meaning(kind, block.sequence() if family == "EULER_ANGLE" else None, backward=backward)
+    attitude, velocity = _turn(block, meaning, np.array([block.numbers(COLUMNS[kind])]))
     return [_State(block, space, body, attitude[0], None if velocity is None else velocity[0])]
 
 
@@ -216,7 +191,7 @@ def _doubt_attitude(taken: _State, other: _State) -> str:
         return (f"it has attitudes between other frames too, {other.space} and {other.body}, and that between "
                 f"{taken.space} and {taken.body} is taken")  # fmt: skip
     apart = float(rotation.angle_between(taken.attitude, other.attitude))
-    return f"its attitudes differ by {apart:.3g} rad, and the first is taken" if apart > APART else ""
+    return f"its attitudes differ by {apart:.3g} rad, and the first is taken" if apart > LIMITS.max_angle else ""
 
 
 def _along_body(state: _State, known: _State) -> Array:
@@ -239,41 +214,30 @@ def _along_body(state: _State, known: _State) -> Array:
     return rotation.rotate(rotation.conjugate(known.attitude), state.velocity)
 
 
-def _spin(block: Block) -> tuple[list[float], Meaning]:
-    columns = [*block.numbers(SPIN, "deg"), block.number("SPIN_ANGLE_VEL", "deg/s")]
-    if block.has("NUTATION"):
-        nutation = [block.number("NUTATION", "deg"), block.number("NUTATION_PER", "s"),
-                    block.number("NUTATION_PHASE", "deg")]  # fmt: skip
-        return columns + nutation, Meaning("SPIN/NUTATION")
-    if block.has("MOMENTUM_ALPHA"):
-        momentum = block.numbers(("MOMENTUM_ALPHA", "MOMENTUM_DELTA"), "deg")
-        return [*columns, *momentum, block.number("NUTATION_VEL", "deg/s")], Meaning("SPIN/NUTATION_MOM")
-    return columns, Meaning("SPIN")
-
-
-def _rows(block: Block, system: str, zero: tuple[int, int]) -> tuple[Array, Array]:
+def _rows(block: Block, first: Block, zero: tuple[int, int]) -> tuple[Array, Array]:
     """Return times [s] from the message's zero and the numbers of an ACM's lines."""
     times, rows = [], []
-    for line, words in block.rows:
+    for line, text in block.rows:
+        time, *words = text.split()
         try:
-            if "T" in words[0]:
-                whole, picoseconds = read_epoch(words[0], plain(system))
+            if "T" in time:
+                whole, picoseconds = read_epoch(time, first.time_system)
                 times.append(float(since(zero, np.array([whole]), np.array([picoseconds]))[0]))
             else:
-                times.append(read_number(words[0]))
-            rows.append([read_number(word) for word in words[1:]])
+                times.append(read_number(time))
+            rows.append([read_number(word) for word in words])
             if len(rows[-1]) != len(rows[0]):
                 raise ValueError(f"has {len(rows[-1])} numbers, and the first line has {len(rows[0])}")
         except ValueError as error:
-            raise FormatError(f"{block.path}, line {line}: {error}. Check the file.") from None
+            raise FormatError(f"{block.path}, line {line}: {error}. {CHECK}") from None
     if not rows:
-        raise FormatError(f"{block.path}, line {block.line}: has no attitudes. Check the file.")
+        refuse(block.path, block.line, f"has no attitudes. {CHECK}")
     return np.array(times), np.array(rows)
 
 
 def _body(blocks: list[Block], body: str) -> tuple[BodyFrame | None, list[str]]:
     """Return the mass properties along the body's axes, None without an inertia, and what to say about them."""
-    block = next((block for block in blocks if block.name in ("INERTIA", "PHYS") and block.has("IXX")), None)
+    block = next((block for block in blocks if "IXX" in block.values), None)
     if block is None:
         return None, []
     axes = block.text("INERTIA_REF_FRAME", body)
@@ -282,7 +246,7 @@ def _body(blocks: list[Block], body: str) -> tuple[BodyFrame | None, list[str]]:
     matrix = np.zeros((3, 3))
     for keyword, (i, j) in INERTIA.items():
         matrix[i, j] = matrix[j, i] = block.number(keyword, "kg*m**2", 0.0 if i != j else None)
-    mass = block.number("WET_MASS", "kg") if block.has("WET_MASS") else None
+    mass = block.number("WET_MASS", "kg") if "WET_MASS" in block.values else None
     try:
         known = Body.from_inertia(matrix, mass)
     except InvalidInput as error:

@@ -1,27 +1,40 @@
-"""CCSDS Attitude Ephemeris Messages read as trajectories, versions 1.0 and 2.0, keyword = value."""
+"""CCSDS Attitude Ephemeris Messages read as trajectories, versions 1.0 and 2.0, keyword = value or XML.
+
+Source: CCSDS 504.0-B-2, section 4, annex J for version 1.0.
+"""
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
-from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.aem_attitudes import Meaning, attitudes
-from polhode.formats.epochs import shortest, since
-from polhode.formats.labels import AttitudeLabels, Recording, is_in_spacecraft, plain
+from polhode.errors import InvalidInput, shown
+from polhode.formats.aem_attitudes import COLUMNS, OLD_NAMES, Meaning, attitudes
+from polhode.formats.epochs import read_epoch, shortest, since
+from polhode.formats.labels import AttitudeLabels, Recording, plain
+from polhode.formats.numerals import read_number
 from polhode.formats.paths import as_path
 from polhode.motion._layout import ATTITUDE, StateLayout
 from polhode.motion._outcome import Ending, Outcome
 from polhode.motion._trajectory import Trajectory
-from polhode.spacecraft.formats.aem_segments import Segment, WrittenInXml, read_segments, refuse
-from polhode.spacecraft.formats.aem_xml import read_xml_segments
+from polhode.spacecraft.formats.adm_blocks import CHECK, Block, refuse
+from polhode.spacecraft.formats.adm_keywords import AEM, AEM_NEEDED
+from polhode.spacecraft.formats.adm_reading import read_blocks
 from polhode.types import Array
 
-ONE_ALONE = ("Leave one of them in the file, or read one in Python by read_aem(path, segment=k), where k counts from 0")
-_ROTATION_SEQUENCE = re.compile(r"([XYZ])(?!\1)([XYZ])(?!\2)[XYZ]")
-_SAME = ("OBJECT_NAME", "OBJECT_ID", "REF_FRAME_A", "REF_FRAME_B", "TIME_SYSTEM", "ATTITUDE_DIR")
+ONE_ALONE = "Leave one of them in the file, or read one in Python by read_aem(path, segment=k), where k counts from 0."
+IN_VERSION_2 = "Have it written in version 2.0."
+
+
+class _Samples(NamedTuple):
+    """The data of a segment: instants (n,), numbers (n, k), and their lines in the file (n,)."""
+
+    whole: Array
+    picoseconds: Array
+    columns: Array
+    lines: Array
 
 
 def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
@@ -42,58 +55,154 @@ def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
         FormatError: naming the line, if it is no AEM or leaves open what it means.
     """
     path = as_path("path", path)
-    try:
-        segments = read_segments(path)
-    except WrittenInXml:
-        segments = read_xml_segments(path)
+    _, *blocks = read_blocks(path, AEM, _convert_rows)
+    if not blocks:
+        refuse(path, None, "holds no segment, META_START … DATA_STOP; it is cut short. Get it whole.")
+    segments = [(block, _join_parts(block)) for block in blocks]
     if segment is not None:
         if not 0 <= segment < len(segments):
             raise InvalidInput(f"`segment` must be from 0 to {len(segments) - 1} in {path}; got {segment}.")
         segments = [segments[segment]]
-    if len({tuple(plain(one.values.get(name, "")) for name in _SAME) for one in segments}) > 1:
-        raise FormatError(f"{path}: its {len(segments)} segments are about different objects, frames or time systems. "
-                          f"{ONE_ALONE}.")  # fmt: skip
-    start = segments[0].epoch("START_TIME")
-    times, attitude, velocity = _join([_history(one, start) for one in segments], segments)
-    left_out = sum(int((~_useable(one)).sum()) for one in segments)
+    alike = ("OBJECT_NAME", "OBJECT_ID", "REF_FRAME_A", "REF_FRAME_B", "TIME_SYSTEM", "ATTITUDE_DIR")
+    if len({tuple(plain(block.text(name, "")) for name in alike) for block, _ in segments}) > 1:
+        refuse(path, None, f"its {len(segments)} segments are about different objects, frames or time systems. "
+                           f"{ONE_ALONE}")  # fmt: skip
+    start = segments[0][0].epoch("START_TIME")
+    times, attitude, velocity = _join(path, [_history(*one, start) for one in segments])
+    left_out = sum(int((~_useable(*one)).sum()) for one in segments)
     message = f"{left_out} samples outside the useable times were left out" if left_out else ""
-    labels = _labels(segments[0])
+    labels = _labels(segments[0][0])
     return Trajectory(
         times, attitude, StateLayout((ATTITUDE,)), attitude, angular_velocity=velocity,
         outcome=Outcome(Ending.RECORDED, message=message), source=Recording(labels.object_name, labels=labels),
     )  # fmt: skip
 
 
-def _history(one: Segment, start: tuple[int, int]) -> tuple[Array, Array, Array | None]:
+def _kind(block: Block) -> str:
+    """Return the type of attitude, as version 2.0 names it."""
+    name = plain(block.text("ATTITUDE_TYPE")).replace(" ", "_")
+    name = OLD_NAMES.get(name, name) if _is_old(block) else name
+    if name not in COLUMNS:
+        block.wrong("ATTITUDE_TYPE", f"must be one of {', '.join(COLUMNS)}; got {shown(block.text('ATTITUDE_TYPE'))}")
+    return name
+
+
+def _is_old(block: Block) -> bool:
+    return block.text(AEM.version_keyword) == "1.0"
+
+
+def _check_metadata(block: Block) -> None:
+    """Refuse metadata without a keyword that is needed, and spans that end before they begin.
+
+    Raises:
+        FormatError: naming the line.
+    """
+    for keyword, (value, _) in block.values.items():
+        if not value:
+            block.wrong(keyword, "must have a value")
+    for keyword in AEM_NEEDED:
+        block.text(keyword)
+    for first, last in (("START_TIME", "STOP_TIME"), ("USEABLE_START_TIME", "USEABLE_STOP_TIME")):
+        if first in block.values and last in block.values and block.epoch(last) < block.epoch(first):
+            block.wrong(last, f"must not lie before {first}; got {block.text(last)}, and {block.text(first)} there")
+
+
+def _convert_rows(block: Block) -> tuple[Array, ...]:
+    """Return seconds, picoseconds, numbers (n, k) and lines of a segment's data lines."""
+    if not block.parts:
+        _check_metadata(block)
+    kind, time_system = _kind(block), block.time_system
+    width, instants, columns = len(COLUMNS[kind]), np.zeros((len(block.rows), 2), dtype=np.int64), []
+    for k, (line, text) in enumerate(block.rows):
+        time, *words = text.split()
+        if len(words) != width:
+            refuse(block.path, line, f"must be an epoch and {width} numbers, as ATTITUDE_TYPE says; got "
+                                     f"{shown(text[:60])}. {CHECK}")  # fmt: skip
+        try:
+            instants[k] = read_epoch(time, time_system)
+        except ValueError as error:
+            refuse(block.path, line, f"the epoch {error}. {CHECK}")
+        try:
+            columns.append([read_number(word) for word in words])
+        except ValueError:
+            column, word = next((i, word) for i, word in enumerate(words, 1) if not _is_number(word))
+            refuse(block.path, line, f"number {column} of the {width} that make {kind} must be finite, in decimal "
+                                     f"digits; got {shown(word)}. {CHECK}")  # fmt: skip
+    lines = np.array([line for line, _ in block.rows], dtype=np.int64)
+    return instants[:, 0], instants[:, 1], np.array(columns).reshape(-1, width), lines
+
+
+def _is_number(word: str) -> bool:
+    try:
+        read_number(word)
+    except ValueError:
+        return False
+    return True
+
+
+def _convert_states(block: Block) -> tuple[Array, ...]:
+    """Return seconds, picoseconds, numbers (n, k) and lines of a segment's attitudes in XML."""
+    _check_metadata(block)
+    kind, columns, instants = _kind(block), [], np.zeros((len(block.states), 2), dtype=np.int64)
+    for k, state in enumerate(block.states):
+        try:
+            instants[k] = read_epoch(state.text("EPOCH"), block.time_system)
+        except ValueError as error:
+            refuse(block.path, state.values["EPOCH"][1], f"the epoch {error}. {CHECK}")
+        columns.append(state.numbers(COLUMNS[kind]))
+    if _is_old(block) and kind.startswith("QUATERNION"):  # as the elements are taken by their names
+        block.values["QUATERNION_TYPE"] = ("LAST", block.line)
+    lines = np.array([state.line for state in block.states], dtype=np.int64)
+    return instants[:, 0], instants[:, 1], np.array(columns).reshape(-1, len(COLUMNS[kind])), lines
+
+
+def _join_parts(block: Block) -> _Samples:
+    """Return the data of a segment.
+
+    Raises:
+        FormatError: where there are none, naming the line of an epoch that does not come after the one before.
+    """
+    parts = block.parts or [_convert_states(block)]
+    one = _Samples(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
+    if not len(one.whole):
+        refuse(block.path, block.line, f"the data of this segment have no attitudes. {CHECK}")
+    steps = np.diff(one.whole)
+    ascending = (steps > 0) | ((steps == 0) & (np.diff(one.picoseconds) > 0))
+    if not ascending.all():
+        refuse(block.path, int(one.lines[1:][~ascending][0]), "epochs must ascend, without repetition; this one does "
+                                                              f"not come after the one before. {CHECK}")  # fmt: skip
+    return one
+
+
+def _history(block: Block, given: _Samples, start: tuple[int, int]) -> tuple[Array, Array, Array | None]:
     """Return times, attitude and angular velocity of one segment over its useable time."""
-    meaning = _interpret(one)
+    meaning = _interpret(block)
     try:
         with np.errstate(all="ignore"):  # what overflows is not finite, and refused
-            attitude, velocity = attitudes(meaning, one.columns)
+            attitude, velocity = attitudes(meaning, given.columns)
     except ValueError as error:
         what, k = error.args
-        refuse(one.path, int(one.numbers[k]), what)
+        refuse(block.path, int(given.lines[k]), f"{what}. {CHECK}")
     samples = attitude if velocity is None else np.concatenate([attitude, velocity], axis=-1)
     if (wrong := ~np.isfinite(samples).all(axis=-1)).any():
-        refuse(one.path, int(one.numbers[np.argmax(wrong)]), "gives a rotation or a rate too large for numbers")
-    times, within = since(start, one.whole, one.picoseconds), _useable(one)
+        line = int(given.lines[np.argmax(wrong)])
+        refuse(block.path, line, f"gives a rotation or a rate too large for numbers. {CHECK}")
+    times, within = since(start, given.whole, given.picoseconds), _useable(block, given)
     return times[within], attitude[within], None if velocity is None else velocity[within]
 
 
-def _useable(one: Segment) -> Array:
+def _useable(block: Block, given: _Samples) -> Array:
     """Return which samples (n,) of a segment lie within its useable time."""
-    within = np.ones(len(one.whole), dtype=bool)
+    within = np.ones(len(given.whole), dtype=bool)
     for keyword, sign in (("USEABLE_START_TIME", 1), ("USEABLE_STOP_TIME", -1)):
-        if keyword in one.values:
-            whole, picoseconds = one.epoch(keyword)
-            ahead = one.whole - whole
-            within &= (sign * ahead > 0) | ((ahead == 0) & (sign * (one.picoseconds - picoseconds) >= 0))
+        if keyword in block.values:
+            whole, picoseconds = block.epoch(keyword)
+            ahead = given.whole - whole
+            within &= (sign * ahead > 0) | ((ahead == 0) & (sign * (given.picoseconds - picoseconds) >= 0))
     return within
 
 
-def _join(
-    parts: list[tuple[Array, Array, Array | None]], segments: list[Segment]
-) -> tuple[Array, Array, Array | None]:
+def _join(path: Path, parts: list[tuple[Array, Array, Array | None]]) -> tuple[Array, Array, Array | None]:
     """Return histories joined; of two samples at the end of one and start of the next, the later one stays."""
     for k in range(len(parts) - 1):
         times, following = parts[k][0], parts[k + 1][0]
@@ -102,84 +211,66 @@ def _join(
             parts[k] = times[:-1], attitude[:-1], None if velocity is None else velocity[:-1]
     times = np.concatenate([part[0] for part in parts])
     if not len(times):
-        refuse(segments[0].path, None, "no sample lies within the useable times. Check USEABLE_START_TIME and "
-                                       "USEABLE_STOP_TIME")  # fmt: skip
+        refuse(path, None, "no sample lies within the useable times. Check USEABLE_START_TIME and USEABLE_STOP_TIME.")
     if (np.diff(times) <= 0).any():
-        refuse(segments[0].path, None, f"its segments overlap in time. {ONE_ALONE}")
+        refuse(path, None, f"its segments overlap in time. {ONE_ALONE}")
     rates = [part[2] for part in parts if part[2] is not None]
     velocity = np.concatenate(rates) if len(rates) == len(parts) else None
     return times, np.concatenate([part[1] for part in parts]), velocity
 
 
-def _frames(one: Segment) -> tuple[str, str, bool]:
-    """Return the space frame, the body's, and whether the rotation is from body to space."""
-    a, b = one.values["REF_FRAME_A"], one.values["REF_FRAME_B"]
-    first_is_body = is_in_spacecraft(a) and not is_in_spacecraft(b)
-    direction = plain(one.values.get("ATTITUDE_DIR", "" if one.old else "A2B"))
-    if direction not in ("A2B", "B2A"):
-        one.wrong("ATTITUDE_DIR", f"must be A2B or B2A in version 1.0; got {shown(direction or 'nothing')}")
-    if direction == "B2A" and not one.old:
-        one.wrong("ATTITUDE_DIR", "is of version 1.0; in version 2.0 the rotation is from A to B")
-    return *((b, a) if first_is_body else (a, b)), first_is_body == (direction == "A2B")
+def _choice(block: Block, keyword: str, choices: tuple[str, str], now: str, why: str) -> str:
+    """Return which of two words a keyword of version 1.0 has; ``now`` is the only one in version 2.0, and ``why``."""
+    word = plain(block.text(keyword, "" if _is_old(block) else now))
+    if word not in choices:
+        block.wrong(keyword, f"must be {' or '.join(choices)} in version 1.0; got {shown(word or 'nothing')}")
+    if word != now and not _is_old(block):
+        block.wrong(keyword, f"is of version 1.0; in version 2.0 {why}")
+    return word
 
 
-def _interpret(one: Segment) -> Meaning:
-    space, body, backward = _frames(one)
-    family, _, rates = one.kind.partition("/")
+def _is_backward(block: Block) -> bool:
+    """Whether the rotation is from body to space."""
+    way = _choice(block, "ATTITUDE_DIR", ("A2B", "B2A"), "A2B", "the rotation is from A to B")
+    return block.frames()[2] == (way == "A2B")
+
+
+def _interpret(block: Block) -> Meaning:
+    (space, body, _), backward, kind = block.frames(), _is_backward(block), _kind(block)
+    family, _, rates = kind.partition("/")
     if family == "SPIN":
         if backward:
-            one.wrong("ATTITUDE_TYPE", "of spin data wants the body as frame B and space as frame A; here it is the "
-                                       "other way round")  # fmt: skip
-        return Meaning(one.kind)
-    sequence = _sequence(one) if family == "EULER_ANGLE" else None
+            block.wrong("ATTITUDE_TYPE", "of spin data wants the body as frame B and space as frame A; here it is the "
+                                         "other way round", IN_VERSION_2)  # fmt: skip
+        return Meaning(kind)
+    sequence = block.sequence() if family == "EULER_ANGLE" else None
+    scalar_first = family == "QUATERNION" and "FIRST" == _choice(
+        block, "QUATERNION_TYPE", ("FIRST", "LAST"), "LAST", "the scalar is the last")  # fmt: skip
     if rates != "ANGVEL":
-        return Meaning(one.kind, sequence, _scalar_first(one, family), False, backward)
-    if one.old and backward:
-        one.wrong("ATTITUDE_TYPE", "with rates leaves open in version 1.0 which frame they are of when the rotation is "
-                                   "from body to space. Have it written in version 2.0")  # fmt: skip
-    keyword = "RATE_FRAME" if one.old else "ANGVEL_FRAME"
-    frame = plain(one.values.get(keyword, ""))
-    names = {"REF FRAME A": one.values["REF_FRAME_A"], "REF FRAME B": one.values["REF_FRAME_B"]}
+        return Meaning(kind, sequence, scalar_first, False, backward)
+    if _is_old(block) and backward:
+        block.wrong("ATTITUDE_TYPE", "with rates leaves open in version 1.0 which frame they are of when the rotation "
+                                     "is from body to space", IN_VERSION_2)  # fmt: skip
+    keyword = "RATE_FRAME" if _is_old(block) else "ANGVEL_FRAME"
+    frame = plain(block.text(keyword, ""))
+    names = {"REF FRAME A": block.text("REF_FRAME_A"), "REF FRAME B": block.text("REF_FRAME_B")}
     frame = plain(names.get(frame, frame))
     if frame not in (plain(space), plain(body)):
-        one.wrong(keyword, f"must be one of the two frames, as there are velocities; got {shown(frame or 'nothing')}")
-    return Meaning(one.kind, sequence, _scalar_first(one, family), frame == plain(space), backward)
+        block.wrong(keyword, f"must be one of the two frames, as there are velocities; got {shown(frame or 'nothing')}")
+    return Meaning(kind, sequence, scalar_first, frame == plain(space), backward)
 
 
-def _scalar_first(one: Segment, family: str) -> bool:
-    if family != "QUATERNION":
-        return False
-    place = plain(one.values.get("QUATERNION_TYPE", "" if one.old else "LAST"))
-    if place not in ("FIRST", "LAST"):
-        one.wrong("QUATERNION_TYPE", f"must say FIRST or LAST, where the scalar is, in version 1.0; "
-                                     f"got {shown(place or 'nothing')}")  # fmt: skip
-    if place == "FIRST" and not one.old:
-        one.wrong("QUATERNION_TYPE", "is of version 1.0; in version 2.0 the scalar is the last")
-    return place == "FIRST"
-
-
-def _sequence(one: Segment) -> str:
-    text = one.values.get("EULER_ROT_SEQ", "")
-    sequence = text.upper().translate(str.maketrans("123", "XYZ"))
-    if not _ROTATION_SEQUENCE.fullmatch(sequence):
-        one.wrong(
-            "EULER_ROT_SEQ", "must be three axes, neighbours different, like ZXZ; "
-            f"got {shown(text or 'nothing')}"
-        )
-    return sequence
-
-
-def _labels(one: Segment) -> AttitudeLabels:
-    space, body, _ = _frames(one)
+def _labels(block: Block) -> AttitudeLabels:
+    space, body, _ = block.frames()
     return AttitudeLabels(
-        object_name=one.values["OBJECT_NAME"],
-        object_id=one.values["OBJECT_ID"],
-        center=one.values.get("CENTER_NAME"),
+        object_name=block.text("OBJECT_NAME"),
+        object_id=block.text("OBJECT_ID"),
+        center=block.text("CENTER_NAME", "") or None,
         reference_frame=space,
         body_frame=body,
-        epoch=shortest(one.epoch("START_TIME"), one.time_system),
-        time_system=one.time_system,
-        originator=one.values.get("ORIGINATOR"),
+        epoch=shortest(block.epoch("START_TIME"), block.time_system),
+        time_system=block.time_system,
+        originator=block.text("ORIGINATOR", "") or None,
         spice_id=None,
-        comments=tuple(one.comments),
+        comments=tuple(block.comments),
     )
