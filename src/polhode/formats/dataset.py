@@ -190,22 +190,28 @@ def write_dataset(trajectory: Trajectory, path: str | Path, attributes: dict[str
     Raises:
         InvalidInput: if the file cannot be written there, or for states that are not finite.
     """
-    path = as_path("path", path)
     _check_finite(trajectory)
-    # HDF5 would try again to write what a full disk refused, and crash as Python ends: it gets memory, not the disk
-    packed = BytesIO()
-    pack(packed, *_describe(trajectory, attributes))
-    with write_whole(path) as draft:
-        draft.write_bytes(packed.getbuffer())
-    return path
+    return write_variables(path, *_describe(trajectory, attributes))
 
 
-def pack(file: BytesIO, variables: Named, coordinates: Named, header: dict[str, Any]) -> None:
-    """Write NetCDF as xarray would, whose import takes longer than most reports."""
+def write_variables(path: str | Path, variables: Named, coordinates: Named, header: dict[str, Any]) -> Path:
+    """Write NetCDF as xarray would, whose import takes longer than most reports; the file appears whole or not at all.
+
+    Args:
+        path: the file.
+        variables, coordinates: name → (dimensions, values, attributes).
+        header: global attributes.
+
+    Raises:
+        InvalidInput: if the file cannot be written there.
+    """
     import h5netcdf
     import h5py
 
-    with h5netcdf.File(file, "w") as store:
+    path = as_path("path", path)
+    # HDF5 would try again to write what a full disk refused, and crash as Python ends: it gets memory, not the disk
+    packed = BytesIO()
+    with h5netcdf.File(packed, "w") as store:
         store.attrs.update(header)
         for name, (dims, values, *notes) in (coordinates | variables).items():
             dims, values = (dims,) if isinstance(dims, str) else tuple(dims), np.asarray(values)
@@ -217,6 +223,9 @@ def pack(file: BytesIO, variables: Named, coordinates: Named, header: dict[str, 
             variable[...] = values.astype(object) if text else values
             for note in notes:
                 variable.attrs.update(note)
+    with write_whole(path) as draft:
+        draft.write_bytes(packed.getbuffer())
+    return path
 
 
 def write_zarr(trajectory: Trajectory, path: str | Path, attributes: dict[str, str] | None = None) -> Path:

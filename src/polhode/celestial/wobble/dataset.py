@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -11,8 +10,7 @@ import numpy as np
 from polhode.celestial.wobble.excitation import PolarExcitation
 from polhode.celestial.wobble.process import ChandlerProcess
 from polhode.celestial.wobble.windows import ChandlerWindows
-from polhode.formats.dataset import pack
-from polhode.formats.paths import as_path, write_whole
+from polhode.formats.dataset import write_variables
 
 CLOCK = {"units": "s", "long_name": "time since modified Julian date 0, UTC"}
 
@@ -32,7 +30,6 @@ def write_wobble(
     Raises:
         InvalidInput: if the file cannot be written there.
     """
-    path = as_path("path", path)
     variables: dict[str, Any] = {}
 
     def add(name: str, axis: str, values: Any, units: str, meaning: str) -> None:
@@ -56,8 +53,4 @@ def write_wobble(
                                         ("wobble", process.wobble_error)) if np.isnan(error).all()]  # fmt: skip
     if unknown:
         header["misfit"] = f"what the model leaves is not noise: {' and '.join(unknown)} have no known error"
-    packed = BytesIO()  # HDF5 would crash on a disk that is full
-    pack(packed, variables, coordinates, header)
-    with write_whole(path) as draft:
-        draft.write_bytes(packed.getbuffer())
-    return path
+    return write_variables(path, variables, coordinates, header)

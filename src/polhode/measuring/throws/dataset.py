@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from polhode.estimation._estimate import Estimate
-from polhode.formats.dataset import pack
-from polhode.formats.paths import as_path, write_whole
+from polhode.formats.dataset import write_variables
 from polhode.measuring.attitudes.attitude_fit import AttitudeFit
 from polhode.measuring.throws.throw import ThrowFit
 from polhode.types import Array
@@ -30,7 +28,7 @@ def write_throw(fit: ThrowFit, names: Sequence[str], path: str | Path) -> Path:
     Raises:
         InvalidInput: if the file cannot be written there.
     """
-    return _pack(path, *_describe(fit, names))
+    return write_variables(path, *_describe(fit, names))
 
 
 def write_attitude_fit(fit: AttitudeFit, name: str, path: str | Path) -> Path:
@@ -57,16 +55,7 @@ def write_attitude_fit(fit: AttitudeFit, name: str, path: str | Path) -> Path:
             ("bias", fit.bias, "device_axis", "rad s-1", "bias of the rates"),
         ])  # fmt: skip
     header = {"Conventions": "CF-1.11", "source": "polhode", "title": f"inertia from attitudes of {name}"}
-    return _pack(path, variables, _coordinates(), header | _doubts(fit))
-
-
-def _pack(path: str | Path, variables: dict[str, Any], coordinates: dict[str, Any], header: dict[str, str]) -> Path:
-    path = as_path("path", path)
-    packed = BytesIO()  # HDF5 would crash on a disk that is full
-    pack(packed, variables, coordinates, header)
-    with write_whole(path) as draft:
-        draft.write_bytes(packed.getbuffer())
-    return path
+    return write_variables(path, variables, _coordinates(), header | _doubts(fit))
 
 
 def _axes(axes: Array) -> tuple[Any, ...]:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from polhode.errors import InvalidInput
-from polhode.formats.dataset import pack
-from polhode.formats.paths import write_whole
+from polhode.formats.dataset import write_variables
 from polhode.spectra import Levels, Lines, Rotor
 
 if TYPE_CHECKING:
@@ -76,11 +74,7 @@ def write_spectrum(
     Raises:
         InvalidInput: without both, or if the file cannot be written there.
     """
-    path, packed = Path(path), BytesIO()
-    pack(packed, *_describe(levels, lines, attributes))
-    with write_whole(path) as draft:
-        draft.write_bytes(packed.getbuffer())
-    return path
+    return write_variables(path, *_describe(levels, lines, attributes))
 
 
 def _describe(
