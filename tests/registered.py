@@ -29,7 +29,7 @@ def forget_entry_points():
     """Have registries look for entry points again, and let changed code count as never imported."""
     from polhode._base import plugins
     from polhode.formats import form_registry
-    from polhode.kinds import registry
+    from polhode.kinds import added_figures, registry
     from polhode.proving.symbolic import registry as derivations
     from polhode.spacecraft.rigid_body import named
     from polhode.spec import body_files
@@ -37,4 +37,5 @@ def forget_entry_points():
 
     for room in (registry, derivations, named, body_files, fit_request, form_registry):
         room._others.cache_clear()
+    added_figures.added_figures.cache_clear()
     plugins._loaded.clear()

@@ -65,7 +65,8 @@ class Contributor(NamedTuple):
         added: to a spec of a body, to use it; a whole spec of a kind; "" for none.
         code: of its module; "" for a copy of a package of ``tests/plugin``.
         copied: which one, and the changes of its files that bring in the law: file, old, new.
-        point: object of the entry point.
+        name: of the entry point.
+        point: its object.
         answer: path in a report's JSON.
         value: of it where the law is 1.
         output: of a sweep.
@@ -74,6 +75,7 @@ class Contributor(NamedTuple):
     added: str = ""
     code: str = ""
     copied: tuple[str, tuple[tuple[str, str, str], ...]] = ("", ())
+    name: str = "of-others"
     point: str = "part_of_others:Part"
     answer: tuple[str, ...] = ()
     value: float = 0.0
@@ -126,6 +128,11 @@ CONTRIBUTORS = {
             ("__init__.py", "import sympy\n", "import sympy\nfrom law_of_others import FACTOR\n"),
             ("__init__.py", '"The symmetric body"', 'f"A body {FACTOR}"'))),
         point="symmetric_body:derive", value=1.0),
+    "polhode.figures": Contributor(
+        copied=("spin_rate", (
+            ("__init__.py", "import numpy as np\n", "import numpy as np\nfrom law_of_others import FACTOR\n"),
+            ("__init__.py", "axes.set_title(report.name)", 'axes.set_title(f"factor {FACTOR}")'))),
+        name="rigid-body.of_others", point="spin_rate:draw_spin_rate", value=1.0),
     "polhode.commands": Contributor(
         copied=("swing_timer", (
             ("report.py", "import numpy as np\n", "import numpy as np\nfrom law_of_others import FACTOR\n"),
@@ -149,7 +156,7 @@ def install(folder, group):
     about = folder / "of_others-1.0.dist-info"
     about.mkdir()
     (about / "METADATA").write_text("Metadata-Version: 2.1\nName: of-others\nVersion: 1.0\n")
-    (about / "entry_points.txt").write_text(f"[{group}]\nof-others = {it.point}\n")
+    (about / "entry_points.txt").write_text(f"[{group}]\n{it.name} = {it.point}\n")
     set_law(folder, 1.0)
     whole = it.added if group in ("polhode.kinds", "polhode.bodies") else BODY.replace("ADDED", it.added)
     (folder / "spec.toml").write_text(whole + (SWEEP.replace("OUTPUT", it.output) if it.output else ""))

@@ -78,10 +78,13 @@ class Apart(Here):
 def report(run, group):
     commands = {"polhode.commands": ("of-others", "times.txt"), "polhode.fits": ("fit", "times.txt"),
                 "polhode.report-options": ("report", "spec.toml", "--of-others", "card.md"),
-                "polhode.derivations": ("derive", "of-others", "--out", "page.txt")}  # fmt: skip
+                "polhode.derivations": ("derive", "of-others", "--out", "page.txt"),
+                "polhode.figures": ("report", "spec.toml", "--figure-format", "svg")}  # fmt: skip
     command = commands.get(group, ("report", "spec.toml"))
     code, out, err = run(*command, *(["--json"] if command[0] != "derive" else []))
     assert code == 0, err
+    if group == "polhode.figures":
+        return float(re.findall(r"factor ([\d.]+)", (run.folder / "spec" / "of_others.svg").read_text())[-1])
     if command[-1] in ("card.md", "page.txt"):
         (number,) = re.findall(r"^.*?([\d.]+)$", (run.folder / command[-1]).read_text(), re.MULTILINE)[:1]
         return float(number)

@@ -12,8 +12,9 @@ from polhode.cli.terminal import spell_command
 from polhode.errors import InvalidInput, shown
 from polhode.formats.figure_file import is_ours
 from polhode.formats.paths import write_together
+from polhode.kinds.added_figures import check_kinds_of_figures
 from polhode.kinds.reading import read_spec
-from polhode.kinds.registry import known_figures, next_steps
+from polhode.kinds.registry import kind_names, known_figures, next_steps
 
 FIGURE_FORMATS = ("png", "svg", "pdf")
 
@@ -40,6 +41,7 @@ def run_report(
     spec = read_spec(path)
     folder = out or Path(path.stem if path.suffix else f"{path.name}_report")
     report = make_page_report(path, spec) if html else make_report(path, spec)
+    check_kinds_of_figures(kind_names())
     with write_together(folder) as draft:
         files = report.draw(draft, *formats)
         if report.data_file:

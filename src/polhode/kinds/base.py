@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from importlib import import_module, resources
 from importlib.resources.abc import Traversable
 from importlib.util import find_spec
@@ -23,6 +23,7 @@ from polhode.analysis._mechanics import Mechanics
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.formats.labels import AttitudeLabels
+from polhode.kinds.added_figures import figures_of
 from polhode.kinds.panel import KindPanel
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table
@@ -416,7 +417,7 @@ class Spec(Generic[TableT]):
             if not isinstance(report, SystemReport):
                 name = self.kind.name
                 raise InvalidInput(f"`report` of the kind {name} must return a SystemReport; got {shown(report)}.")
-            named = replace(report, name=self.name, drawings=self.kind.figures)
+            named = replace(report, name=self.name, drawings=partial(figures_of, self.kind))
             if wrong := NOT_FINITE.search("\n".join([named.summary, *named.notes])):
                 raise OverflowError(f"its sentences would say {wrong.group()}")
         return named

@@ -16,6 +16,7 @@ from typing import Any
 from polhode._base.plugins import find_entry_points, load_entry_point, record_nothing
 from polhode._base.plugins.wings import wing_details, wing_points
 from polhode.errors import InvalidInput, PolhodeError
+from polhode.kinds.added_figures import added_figures
 from polhode.kinds.base import AbstractKind, NextStep, Spec
 
 GROUP = "polhode.kinds"
@@ -86,8 +87,9 @@ def kinds_with_table(key: str) -> list[str]:
 
 
 def known_figures() -> set[str]:
-    """Return the names of the figures of all kinds that can be imported."""
-    return {name for kind in _importable() for name in kind.figure_names}
+    """Return the names of the figures of all kinds that can be imported, with those that are added to them."""
+    return {name for kind in _importable()
+            for name in (*kind.figure_names, *added_figures(kind.name, kind.figure_names))}  # fmt: skip
 
 
 def kind_of_source(source: Any) -> AbstractKind | None:

@@ -15,6 +15,7 @@ import numpy as np
 
 from polhode.errors import InvalidInput, one_line, shown
 from polhode.formats.dataset_reading import read_dataset
+from polhode.kinds.added_figures import FILE_NAME
 from polhode.kinds.base import AbstractKind, Spec
 from polhode.kinds.page import page_of_report
 from polhode.kinds.panel import KindPanel
@@ -32,7 +33,6 @@ VECTORS = ("attitude", "momentum", "angular_velocity")
 BY_NAME = ("invariants", "balances", "received", "observed")
 ANY_BODY = {"body", "axis", "sphere", "poinsot"}  # panels that the page's own script makes
 NAME = re.compile(r"[a-z]+(-[a-z]+)*")
-FILE_NAME = re.compile(r"(?!(con|prn|aux|nul)$)[a-z]+(_[a-z0-9]+)*")  # a file on every system, Windows and macOS too
 
 
 class KindLimits(NamedTuple):
@@ -162,13 +162,13 @@ def _check_answers_without_motion(kind: AbstractKind, spec: Spec, report: System
 
 
 def _check_figures(kind: AbstractKind, report: SystemReport, folder: Path) -> None:
-    names = tuple(report.figures())
+    names = tuple(kind.figures())
     _require(names == tuple(kind.figure_names), f"`figures` has the names of `figure_names`; got {names}")
     unfit = [name for name in names if not FILE_NAME.fullmatch(name)]
     _require(not unfit, f"names of figures are words in small letters joined by _, as files have them; got {unfit}")
     written = report.draw(folder)
     _require(not names or written, "the example has a figure")
-    _require({path.stem for path in written} <= set(names), "each figure has a name of `figure_names`")
+    _require({path.stem for path in written} <= set(report.figures()), "each figure has a name of `figure_names`")
 
 
 def _check_kept(report: SystemReport) -> None:

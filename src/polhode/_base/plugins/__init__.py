@@ -19,7 +19,7 @@ COMPUTED_BY = ("numpy", "scipy", "array-api-compat", "numba", "llvmlite", "jax",
 GROUPS = {
     "polhode.kinds": "kind", "polhode.formats": "format", "polhode.torques": "torque", "polhode.mounts": "mount",
     "polhode.control": "control law", "polhode.commands": "command", "polhode.bodies": "format of bodies",
-    "polhode.fits": "fit", "polhode.report-options": "option of report",
+    "polhode.fits": "fit", "polhode.report-options": "option of report", "polhode.figures": "figure",
     "polhode.derivations": "derivation",
 }  # fmt: skip
 """The groups of entry points, and the word for one of each in messages."""
