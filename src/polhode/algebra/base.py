@@ -95,6 +95,18 @@ class AbstractLieAlgebra(HashableModule):
         return ()
 
     @property
+    def rotations(self) -> tuple[int, ...]:
+        """Three components one behind the other that are an so(3), [e_i, e_j] = ε_ijk e_k, and turn a body; else none.
+
+        A state of a left-invariant system may then have the attitude in front, R' = R hat(Ω) with Ω = dH along these.
+        """
+        return (0, 1, 2) if self.body_parts else ()
+
+    def of_rotations(self, vector: Double[Array, "..."]) -> Float64[Array, "... 3"]:
+        """Return the components ``rotations`` of an element, or of a point of the dual."""
+        return vector[..., self.rotations[0] : self.rotations[2] + 1]
+
+    @property
     def is_of_spins(self) -> bool:
         """Whether a point of the dual is a spin with three components, or an array of such."""
         return False

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property, partial
 from typing import Any, NamedTuple
@@ -24,6 +24,7 @@ from polhode.algebra._own_casimirs import (
     find_casimirs,
     name_functions,
 )
+from polhode.algebra._rotations import check_rotations
 from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
 from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Double, Float64, Real
@@ -53,11 +54,13 @@ class ConstantsAlgebra(AbstractLieAlgebra):
     given: tuple[Function, ...] | None
     given_names: tuple[str, ...] | None = eqx.field(static=True)
     given_fractions: Fractions | None = eqx.field(static=True)
+    given_rotations: tuple[int, ...] = eqx.field(static=True)
 
     def __init__(
         self, constants: Float64[Array, "dim dim dim"], casimirs: Iterable[Function] | None = None,
-        fractions: Fractions | None = None, names: Iterable[str] | None = None,
+        fractions: Fractions | None = None, names: Iterable[str] | None = None, rotations: Sequence[int] = (),
     ) -> None:  # fmt: skip
+        self.given_rotations = check_rotations(constants, rotations)
         self.table, self.given, self.given_fractions = FixedArray(constants), None, fractions
         if casimirs is not None:
             self.given = check_casimirs(ConstantsAlgebra(constants), casimirs)
@@ -70,6 +73,10 @@ class ConstantsAlgebra(AbstractLieAlgebra):
     @property
     def dim(self) -> int:
         return len(self.constants)
+
+    @property
+    def rotations(self) -> tuple[int, ...]:
+        return self.given_rotations
 
     @property
     def fractions(self) -> Fractions | None:
@@ -121,8 +128,9 @@ class MatrixBasisAlgebra(ConstantsAlgebra):
         matrices: Double[np.ndarray, "dim n n"],
         casimirs: Iterable[Function] | None = None,
         names: Iterable[str] | None = None,
+        rotations: Sequence[int] = (),
     ) -> None:
-        super().__init__(constants, casimirs, names=names)
+        super().__init__(constants, casimirs, names=names, rotations=rotations)
         self.basis = FixedArray(matrices)
         # over the reals: over the complex numbers B and iB are not independent
         self.readings = FixedArray(np.linalg.pinv(_real_rows(matrices).T))
@@ -149,7 +157,7 @@ class MatrixBasisAlgebra(ConstantsAlgebra):
 @known_numbers_only
 def from_structure_constants(
     constants: Real[ArrayLike, "dim dim dim"], casimirs: Iterable[Function] | None = None,
-    names: Iterable[str] | None = None,
+    names: Iterable[str] | None = None, rotations: Sequence[int] = (),
 ) -> ConstantsAlgebra:  # fmt: skip
     """Return the algebra with [e_i, e_j] = Σ_k c[i,j,k] e_k, after checking that it is one.
 
@@ -165,10 +173,13 @@ def from_structure_constants(
             are known than by default; an empty list for none.
         names: of these Casimirs, by which invariants and certificates call them; by default a short polynomial is its
             own name, and others are C1, C2, ….
+        rotations: three components one behind the other, like (0, 1, 2), that are an so(3), [e_i, e_j] = ε_ijk e_k:
+            states may then have an attitude in front, which turns with Ω = dH along these components.
 
     Raises:
         InvalidInput: if the shape is wrong, c is not antisymmetric in its first two indices, or Jacobi's identity
-            fails; the offending indices are named. If a function is not a Casimir, or names do not fit.
+            fails; the offending indices are named. If a function is not a Casimir, names do not fit, or components are
+            no so(3).
 
     >>> c = np.zeros((4, 4, 4))
     >>> c[0, 1, 2], c[1, 0, 2], c[0, 2, 3], c[2, 0, 3] = 1.0, -1.0, 1.0, -1.0
@@ -180,7 +191,7 @@ def from_structure_constants(
     """
     fractions = _keep_fractions(constants)
     doubles = constants if fractions is None else _doubles(fractions)
-    return ConstantsAlgebra(check_constants(doubles), casimirs, fractions, names)
+    return ConstantsAlgebra(check_constants(doubles), casimirs, fractions, names, rotations)
 
 
 def _doubles(fractions: Fractions) -> list[list[list[float]]]:
@@ -241,18 +252,19 @@ def _check_jacobi(c: np.ndarray, scale: float) -> None:
 
 @known_numbers_only
 def from_matrices(
-    basis: Real[ArrayLike, "dim n n"], casimirs: Iterable[Function] | None = None, names: Iterable[str] | None = None
-) -> MatrixBasisAlgebra:
+    basis: Real[ArrayLike, "dim n n"], casimirs: Iterable[Function] | None = None, names: Iterable[str] | None = None,
+    rotations: Sequence[int] = (),
+) -> MatrixBasisAlgebra:  # fmt: skip
     """Return the algebra spanned over the reals by matrices, after checking that it closes under commutation.
 
     Args:
         basis: (dim, n, n), real or complex, linearly independent over the reals.
         casimirs: functions of coordinates (dim,) ⟨μ, B_i⟩, as for ``from_structure_constants``.
-        names: of these, as there.
+        names, rotations: as there.
 
     Raises:
         InvalidInput: if the matrices depend on each other, or a commutator leaves their span; its indices are named. If
-            a function is not a Casimir, or names do not fit.
+            a function is not a Casimir, names do not fit, or components are no so(3).
     """
     require_doubles(basis=basis)
     try:
@@ -282,7 +294,7 @@ def from_matrices(
     near = np.rint(constants * 120.0) / 120.0  # what is a simple fraction is one exactly
     constants = np.where(np.abs(constants - near) < 1e-12 * np.abs(constants).max(initial=1.0), near, constants)
     antisymmetric = check_constants(0.5 * (constants - constants.transpose(1, 0, 2)))
-    return MatrixBasisAlgebra(antisymmetric, matrices, casimirs, names)
+    return MatrixBasisAlgebra(antisymmetric, matrices, casimirs, names, rotations)
 
 
 def _real_rows(matrices: np.ndarray) -> np.ndarray:

@@ -5,24 +5,38 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode.algebra._rotations import check_rotations
 from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, Float64
 
 
 class Product(AbstractLieAlgebra):
-    """The direct sum of algebras; elements are their coordinates one behind the other (…, dim), likewise the dual."""
+    """The direct sum of algebras; elements are their coordinates one behind the other (…, dim), likewise the dual.
+
+    Args:
+        factors: the algebras.
+        rotations: components that are an so(3) and carry an attitude, as for ``from_structure_constants``.
+    """
 
     factors: tuple[AbstractLieAlgebra, ...]
+    given_rotations: tuple[int, ...] = eqx.field(static=True)
 
-    def __init__(self, *factors: AbstractLieAlgebra) -> None:
+    def __init__(self, *factors: AbstractLieAlgebra, rotations: Sequence[int] = ()) -> None:
         if not factors or not all(isinstance(factor, AbstractLieAlgebra) for factor in factors):
             raise InvalidInput(f"`Product` must be given algebras, one at least; got {shown(factors)}. "
                                "Write Product(first, second), without brackets around them.")  # fmt: skip
-        self.factors = factors
+        self.factors, self.given_rotations = factors, ()
+        if len(rotations):
+            self.given_rotations = check_rotations(Product(*factors).structure_constants(), rotations)
+
+    @property
+    def rotations(self) -> tuple[int, ...]:
+        return self.given_rotations
 
     @property
     def dim(self) -> int:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import equinox as eqx
@@ -38,10 +38,11 @@ class Semidirect(ConstantsAlgebra):
         generators: (dim, m, m), the matrices ρ_i by which its basis acts.
         casimirs: functions of coordinates (dim + m,), as for ``from_structure_constants``.
         names: of these, as there.
+        rotations: components that are an so(3) and carry an attitude, as there.
 
     Raises:
         InvalidInput: if the generators do not represent the algebra, [ρ_i, ρ_j] = Σ c_ijk ρ_k; the indices are named.
-            If a function is not a Casimir, or names do not fit.
+            If a function is not a Casimir, names do not fit, or components are no so(3).
     """
 
     algebra: AbstractLieAlgebra
@@ -54,6 +55,7 @@ class Semidirect(ConstantsAlgebra):
         generators: Real[ArrayLike, "dim m m"],
         casimirs: Iterable[Function] | None = None,
         names: Iterable[str] | None = None,
+        rotations: Sequence[int] = (),
     ) -> None:
         require_doubles(generators=generators)
         rho = np.array(generators, dtype=float)
@@ -67,7 +69,7 @@ class Semidirect(ConstantsAlgebra):
                 f"`generators` must represent {algebra.name}: [ρ_i, ρ_j] = Σ c_ijk ρ_k fails for (i, j) = ({i}, {j}), "
                 f"counted from 0, by {error[i, j]:.3g}."
             )
-        super().__init__(_constants(algebra.structure_constants(), rho), casimirs, names=names)
+        super().__init__(_constants(algebra.structure_constants(), rho), casimirs, names=names, rotations=rotations)
         self.algebra, self.action = algebra, FixedArray(rho)
 
     @property

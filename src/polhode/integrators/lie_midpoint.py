@@ -75,9 +75,9 @@ class LieMidpoint(AbstractOrbitSolver):
         solution = fixed_point(lambda x: h * self.system.generator(half_way, middle(x)), start, scale)
         x = solution.value
         if self.coordinates == "cayley":
-            moved = join_state(attitude_by_cayley(attitude, x), algebra.cayley_change(x, point))
+            moved = join_state(attitude_by_cayley(algebra, attitude, x), algebra.cayley_change(x, point))
         else:
-            moved = join_state(attitude_by_exp(attitude, x), algebra.exp_change(x, point))
+            moved = join_state(attitude_by_exp(algebra, attitude, x), algebra.exp_change(x, point))
         return Change(moved, solution.iterations, solution.converged)
 
 

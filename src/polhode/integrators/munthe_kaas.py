@@ -6,6 +6,7 @@ from typing import Any, ClassVar
 
 import equinox as eqx
 
+from polhode.algebra._rotations import others_are_an_ideal
 from polhode.errors import InvalidInput, shown
 from polhode.integrators._group import attitude_by_exp
 from polhode.integrators.base import AbstractOrbitSolver, Change, Scalar, explicit
@@ -40,8 +41,21 @@ class MuntheKaas(AbstractOrbitSolver):
     def order(self, terms: Any) -> int:
         return self.own_order
 
+    def _check_attitude(self) -> None:
+        """Refuse an attitude that is not the image of the group element.
+
+        The stages correct u by brackets of the algebra, of which the part in the so(3) is that of the components in the
+        so(3) only where the others are an ideal.
+        """
+        algebra = self.system.algebra
+        if not others_are_an_ideal(algebra.structure_constants(), algebra.rotations):
+            raise InvalidInput(f"`MuntheKaas` of order 4 has no attitude where brackets with the other components of "
+                               f"{algebra.name} lead into its so(3); take LieMidpoint, or order 2.")  # fmt: skip
+
     def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
         algebra, (attitude, point) = self.system.algebra, self.system.parts(state)
+        if attitude is not None and self.own_order == 4 and not algebra.body_parts:
+            self._check_attitude()
         begin, half_way, end = t, t + 0.5 * h, t + h
         beside = self.beside_jumps(t, h)
         if beside is not None:
@@ -59,4 +73,4 @@ class MuntheKaas(AbstractOrbitSolver):
             k2 = slope(half_way, 0.5 * k1)
             k3 = slope(half_way, 0.5 * k2)
             u = (k1 + 2.0 * k2 + 2.0 * k3 + slope(end, k3)) / 6.0
-        return explicit(join_state(attitude_by_exp(attitude, u), algebra.exp_change(u, point)))
+        return explicit(join_state(attitude_by_exp(algebra, attitude, u), algebra.exp_change(u, point)))

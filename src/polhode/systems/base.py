@@ -14,6 +14,7 @@ import numpy as np
 from polhode import rotation
 from polhode._base.arrays import known_numbers_only, namespace, require_doubles
 from polhode.algebra._functions import Function
+from polhode.algebra._rotations import check_rotations, parts_of_point, turns_alone
 from polhode.algebra.base import AbstractLieAlgebra, HashableModule
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import (
@@ -25,7 +26,6 @@ from polhode.motion._layout import (
     MOMENTUM_SQUARED,
     Quantity,
     StateLayout,
-    StatePart,
 )
 from polhode.systems._checks import check_on_dual
 from polhode.systems.steady_motion import SteadyMotion
@@ -231,12 +231,17 @@ class AbstractSystem(HashableModule):
 class AbstractLiePoissonSystem(AbstractSystem):
     """μ̇ = −sign · ad*_{dH} μ on the dual of ``algebra``.
 
-    A state is a point of the dual (…, *element_shape); where the algebra turns a body, on so(3) and se(3), it may have
-    the attitude in front, a unit quaternion wxyz, body → space, which then moves by the same group elements:
-    dR/dt = R hat(dH).
+    A state is a point of the dual (…, *element_shape); where the algebra turns a body, on so(3), se(3) and others that
+    say which of their components are ``rotations``, it may have the attitude in front, a unit quaternion wxyz, body →
+    space, which then moves with them: dR/dt = R hat(Ω), Ω = dH along these components.
     """
 
     algebra: eqx.AbstractVar[AbstractLieAlgebra]
+
+    def __check_init__(self) -> None:
+        algebra = self.algebra
+        if algebra.rotations and not algebra.body_parts:  # an own class may say anything
+            check_rotations(algebra.structure_constants(), algebra.rotations)
 
     @property
     def sign(self) -> int:
@@ -284,7 +289,8 @@ class AbstractLiePoissonSystem(AbstractSystem):
         flow = self.algebra.coadjoint(generator, point)
         if attitude is None:
             return flow
-        return jnp.concatenate([rotation.quaternion_rate(attitude, generator[..., :3]), flow], axis=-1)
+        turning = rotation.quaternion_rate(attitude, self.algebra.of_rotations(generator))
+        return jnp.concatenate([turning, flow], axis=-1)
 
     def invariants(self, state: Double[Array, "..."]) -> dict[str, Float64[Array, "..."]]:
         """Return energy, Casimirs, what else is conserved and, with an attitude, the momentum in space.
@@ -305,13 +311,16 @@ class AbstractLiePoissonSystem(AbstractSystem):
         """Return the vectors that stay fixed in space, by name."""
         if LINEAR in self.algebra.body_parts:
             return {"linear_space": rotation.rotate(attitude, point[..., 3:])}
-        return {"momentum_space": rotation.rotate(attitude, point)}
+        if self.algebra.body_parts or turns_alone(self.algebra.structure_constants(), self.algebra.rotations):
+            return {"momentum_space": rotation.rotate(attitude, self.algebra.of_rotations(point))}
+        return {}
 
     def vectors(self, state: Double[Array, "..."]) -> Vectors:
         if not self.carries_attitude:
             return Vectors()
         attitude, point = self.parts(state)
-        return Vectors(attitude, point[..., :3], self.velocity(point)[..., :3])
+        turning = self.algebra.of_rotations
+        return Vectors(attitude, turning(point), turning(self.velocity(point)))
 
     def scales(self, state: Double[Array, "..."]) -> Float64[Array, "..."]:
         """Return one for the attitude, and for the point its size."""
@@ -341,7 +350,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         own = self.algebra.element_shape
         if len(own) != 1:
             return StateLayout(axes=len(own))
-        return StateLayout((*front, *(self.algebra.body_parts or (StatePart("point", own[0]),))))
+        return StateLayout((*front, *(self.algebra.body_parts or parts_of_point(own[0], self.algebra.rotations))))
 
     @known_numbers_only
     def check_state(self, state: Real[ArrayLike, "*shape"]) -> Double[Array, "*shape"]:
@@ -359,7 +368,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
     @property
     def carries_attitude(self) -> bool:
         """Whether a state may have an attitude in front."""
-        return bool(self.algebra.body_parts) and self.sign == -1
+        return bool(self.algebra.rotations) and self.sign == -1
 
     def parts(self, state: Real[ArrayLike, "..."]) -> Parts:
         """Take a packed state apart.

@@ -101,8 +101,8 @@ class TransportNoise(AbstractOrbitSolver):
 
         def turn(moved: Array, term: tuple[Array, Array]) -> tuple[Array, None]:
             size, field = term
-            attitude, point = self.system.parts(state + moved)
+            algebra, (attitude, point) = self.system.algebra, self.system.parts(state + moved)
             x = size * field
-            return moved + join_state(attitude_by_exp(attitude, x), self.system.algebra.exp_change(x, point)), None
+            return moved + join_state(attitude_by_exp(algebra, attitude, x), algebra.exp_change(x, point)), None
 
         return jax.lax.scan(turn, moved, (sizes, fields))[0]
