@@ -67,7 +67,7 @@ def parts_of_point(size: int, rotations: tuple[int, ...]) -> tuple[StatePart, ..
 def turns_alone(constants: Float64[Array, "dim dim dim"], rotations: tuple[int, ...]) -> bool:
     """Return whether all other components commute with the so(3), so that nothing but Ω turns its momentum."""
     others = np.setdiff1d(np.arange(len(constants)), rotations)
-    return not np.asarray(constants)[np.ix_(others, rotations)].any()
+    return not np.asarray(constants)[np.ix_(others, np.array(rotations))].any()
 
 
 def others_are_an_ideal(constants: Float64[Array, "dim dim dim"], rotations: tuple[int, ...]) -> bool:
