@@ -1,5 +1,8 @@
 """Algebras that contain an so(3) carry an attitude: against SciPy's integration of R' = R hat(Ω), and closed forms."""
 
+from functools import cache
+
+import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
@@ -49,13 +52,15 @@ POINTS = {magnetic_top: [0.3, 1.0, 2.0, 0.1, 0.2, 0.9, 0.8, -0.3, 0.4],
           four_dimensional: [0.3, 1.0, 2.0, 0.5, -0.4, 1.2]}  # fmt: skip
 
 
-def by_scipy(system, start):
+@cache
+def by_scipy(make):
     """Return rotation matrices and points by DOP853, from the constants of the algebra and the gradient of H alone."""
-    c = np.asarray(system.algebra.structure_constants())
+    system, start = make(), start_of(make)
+    c, velocity = np.asarray(system.algebra.structure_constants()), jax.jit(system.velocity)
 
     def rate(t, y):
         R, mu = y[:9].reshape(3, 3), y[9:]
-        xi = np.asarray(system.velocity(mu))
+        xi = np.asarray(velocity(mu))
         hat = np.array([[0.0, -xi[2], xi[1]], [xi[2], 0.0, -xi[0]], [-xi[1], xi[0], 0.0]])
         return np.concatenate([(R @ hat).ravel(), np.einsum("i,k,ijk->j", xi, mu, c)])
 
@@ -64,10 +69,15 @@ def by_scipy(system, start):
     return found.y[:9].T.reshape(-1, 3, 3), found.y[9:].T
 
 
+def start_of(make):
+    return np.concatenate([ATTITUDE, POINTS[make]])
+
+
+@pytest.mark.long_after(1)
 @pytest.mark.parametrize("make", POINTS)
 def test_the_attitude_is_that_of_scipy(make):
-    system, start = make(), np.concatenate([ATTITUDE, POINTS[make]])
-    matrices, points = by_scipy(system, start)
+    system, start = make(), start_of(make)
+    matrices, points = by_scipy(make)
     found = ph.simulate(system, start, TIMES)
     assert found.layout.names == ("attitude", "momentum", "point_behind")
     assert np.abs(rotation.as_matrix(found.attitude) - matrices).max() < ROUNDING
@@ -79,20 +89,21 @@ def test_the_attitude_is_that_of_scipy(make):
     assert np.abs(rotation.as_matrix(stepped.attitude) - matrices).max() < ROUNDING
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("make", POINTS)
 def test_laws(make):
     check_system(make())
 
 
+@pytest.mark.long
 def test_methods_of_order_four_whose_stages_need_an_ideal():
-    top = magnetic_top()
-    start = np.concatenate([ATTITUDE, POINTS[magnetic_top]])
-    matrices, _ = by_scipy(top, start)
+    top, start = magnetic_top(), start_of(magnetic_top)
+    matrices, _ = by_scipy(magnetic_top)
     errors = [np.abs(rotation.as_matrix(ph.simulate(
         top, start, TIMES, ph.integrators.MuntheKaas, step=step, estimate_error=False).attitude) - matrices).max()
         for step in (0.1, 0.05)]  # fmt: skip
     assert 3.7 < np.log2(errors[0] / errors[1]) < 4.3
-    start = np.concatenate([ATTITUDE, POINTS[four_dimensional]])
+    start = start_of(four_dimensional)
     with pytest.raises(InvalidInput, match="`MuntheKaas` of order 4 has no attitude"):
         ph.simulate(four_dimensional(), start, TIMES, ph.integrators.MuntheKaas)
     assert ph.simulate(four_dimensional(), start[4:], TIMES, ph.integrators.MuntheKaas).attitude is None
@@ -154,6 +165,7 @@ def test_a_class_of_ones_own_is_checked_where_a_system_takes_it():
         ph.systems.LiePoisson(Own((0, 1, 2)), free)
 
 
+@pytest.mark.usefixtures("any_type")
 @pytest.mark.parametrize(("rotations", "words"), [
     ((0, 1), "must be three components one behind the other, from .* of the 6 that the algebra has; got"),
     ((0, 2, 1), "one behind the other"), ((4, 5, 6), "one behind the other"), ((-3, -2, -1), "one behind the other"),
@@ -186,7 +198,7 @@ def free_of_six(m):
 
 
 def test_pages_and_files(tmp_path):
-    found = ph.simulate(magnetic_top(), np.concatenate([ATTITUDE, POINTS[magnetic_top]]), TIMES)
+    found = ph.simulate(magnetic_top(), start_of(magnetic_top), TIMES)
     page = ph.write_page(found, tmp_path / "own.html")
     assert "<script" in page.read_text("utf-8")
     again = read_dataset(write_dataset(found, tmp_path / "own.nc"))
