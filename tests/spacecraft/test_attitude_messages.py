@@ -208,6 +208,9 @@ def test_every_keyword_of_each_table_is_known():
     (("NUMBER_STATES = 7\nATT", "NUMBER_STATES = 4\nATT"), "line 35: NUMBER_STATES must be how many numbers .* 7; got"),
     (("RATE_TYPE = ANGVEL\n", ""), "QUATERNION with RATE_TYPE NONE needs 4 numbers after the time; got 7"),
     (("RATE_TYPE = ANGVEL", "RATE_TYPE = EULER_RATE"), "the derivative of QUATERNION to be read here; got EULER_RATE"),
+    (("1.5 -2.0 0.5\n1.0", "1.5 -2.0 0.5\n1.0 7"), "line 39: must be an epoch and 7 numbers, as in the first line"),
+    (("1.5 -2.0 0.5\n1.0", "1.5 -2.0 0.5\none"), "line 39: the epoch must be a number in decimal digits"),
+    (("1.5 -2.0 0.5\n1.0", "1.5 -2.0 O.5\n1.0"), "line 38: number 7 of the 7 must be a number .* got 'O.5'"),
     (("ATT_TYPE = QUATERNION\n", "ATT_TYPE = EULER_ANGLES\nEULER_ROT_SEQ = ZYX\n"), "needs 6 numbers after the time"),
 ])  # fmt: skip
 def test_what_would_be_lost_without_a_word_is_refused(tmp_path, change, words):

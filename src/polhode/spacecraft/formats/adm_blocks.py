@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
+
+import numpy as np
 
 from polhode.errors import FormatError, shown
 from polhode.formats.epochs import TIME_SYSTEMS, read_epoch
@@ -93,6 +96,37 @@ class Block:
     def numbers(self, units: dict[str, str]) -> list[float]:
         """Return the numbers of several keywords, each in its unit; raises as ``number`` does."""
         return [self.number(keyword, unit) for keyword, unit in units.items()]
+
+    def read_rows(self, instant: Callable[[str], Any], width: int | None, why: str) -> tuple[Array, Array, Array]:
+        """Return instants (n, …), numbers (n, width) and line numbers (n,) of the rows.
+
+        Args:
+            instant: of a row's first word; raises ValueError.
+            width: how many numbers must follow; None for as many as in the first row.
+            why: so many must follow.
+
+        Raises:
+            FormatError: naming the line.
+        """
+        instants, columns = [], []
+        for line, text in self.rows:
+            time, *words = text.split()
+            width, row = len(words) if width is None else width, []
+            if len(words) != width:
+                refuse(self.path, line, f"must be an epoch and {width} numbers, {why}; got {shown(text[:60])}. {CHECK}")
+            try:
+                instants.append(instant(time))
+            except ValueError as error:
+                refuse(self.path, line, f"the epoch {error}. {CHECK}")
+            try:
+                for word in words:
+                    row.append(read_number(word))
+            except ValueError as error:
+                k = len(row)
+                refuse(self.path, line, f"number {k + 1} of the {width} {error}; got {shown(words[k])}. {CHECK}")
+            columns.append(row)
+        lines = np.array([line for line, _ in self.rows], dtype=np.int64)
+        return np.array(instants), np.array(columns), lines
 
     def has(self, keywords: list[str]) -> bool:
         """Whether the block has all of these."""

@@ -192,6 +192,6 @@ def _put_leaves(message: Message, block: Block, name: str, node: Node, deep: boo
         elif child.tag == "COMMENT":
             _keep_comment(message, block, name, child.text)
         else:
-            unit = f" [{child.attributes['units']}]" if "units" in child.attributes else ""
+            unit = f" [{units}]" if (units := child.attributes.get("units")) else ""
             for keyword in old.get(child.tag, (child.tag,)):
                 _put(message, block, name, keyword, child.text.strip() + unit, child.line)

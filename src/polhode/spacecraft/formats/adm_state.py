@@ -216,23 +216,15 @@ def _along_body(state: _State, known: _State) -> Array:
 
 def _rows(block: Block, first: Block, zero: tuple[int, int]) -> tuple[Array, Array]:
     """Return times [s] from the message's zero and the numbers of an ACM's lines."""
-    times, rows = [], []
-    for line, text in block.rows:
-        time, *words = text.split()
-        try:
-            if "T" in time:
-                whole, picoseconds = read_epoch(time, first.time_system)
-                times.append(float(since(zero, np.array([whole]), np.array([picoseconds]))[0]))
-            else:
-                times.append(read_number(time))
-            rows.append([read_number(word) for word in words])
-            if len(rows[-1]) != len(rows[0]):
-                raise ValueError(f"has {len(rows[-1])} numbers, and the first line has {len(rows[0])}")
-        except ValueError as error:
-            raise FormatError(f"{block.path}, line {line}: {error}. {CHECK}") from None
-    if not rows:
+    def instant(word: str) -> float:
+        if "T" not in word:
+            return read_number(word)
+        whole, picoseconds = read_epoch(word, first.time_system)
+        return float(since(zero, np.array([whole]), np.array([picoseconds]))[0])
+
+    if not block.rows:
         refuse(block.path, block.line, f"has no attitudes. {CHECK}")
-    return np.array(times), np.array(rows)
+    return block.read_rows(instant, None, "as in the first line")[:2]
 
 
 def _body(blocks: list[Block], body: str) -> tuple[BodyFrame | None, list[str]]:

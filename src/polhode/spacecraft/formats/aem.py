@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import TextIO
+from typing import NamedTuple, TextIO
 
 import numpy as np
 
@@ -27,8 +27,19 @@ from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
 
 TYPES = {None: "QUATERNION", "derivative": "QUATERNION/DERIVATIVE", "angular velocity": "QUATERNION/ANGVEL"}
-CHUNK = 50_000  # lines that are in memory as text at once
-LONGEST_LINE = 254  # 504, 6.6.1
+
+
+class LineLimits(NamedTuple):
+    """What a line of the file may have.
+
+    Attributes:
+        max_length: characters; 504, 6.6.1.
+    """
+
+    max_length: int = 254
+
+
+LIMITS = LineLimits()
 
 
 def write_aem(
@@ -163,15 +174,17 @@ def _line(keyword: str, name: str, value: str) -> str:
 
 
 def _printable(line: str, name: str, value: str) -> str:
-    if not (value.isascii() and value.isprintable() and len(line) <= LONGEST_LINE):
-        raise InvalidInput(f"`{name}` must be one line of printable ASCII, at most 200 characters, in an AEM; "
+    if not (value.isascii() and value.isprintable() and len(line) <= LIMITS.max_length):
+        raise InvalidInput(f"`{name}` must be one line of printable ASCII, at most {LIMITS.max_length} characters with "
+                           "its keyword, in an AEM; "
                            f"got {shown(value)}. Write it in ASCII.")  # fmt: skip
     return line
 
 
 def _write_lines(file: TextIO, whole: Array, picoseconds: Array, time_system: str, columns: Array) -> None:
     form = "%s" + " % .15e" * columns.shape[1] + "\n"
-    for begin in range(0, len(columns), CHUNK):
-        part = slice(begin, begin + CHUNK)
+    chunk = 50_000  # lines that are in memory as text at once
+    for begin in range(0, len(columns), chunk):
+        part = slice(begin, begin + chunk)
         epochs = as_text(whole[part], picoseconds[part], time_system)
         file.writelines(form % (epoch, *row) for epoch, row in zip(epochs, columns[part].tolist(), strict=True))

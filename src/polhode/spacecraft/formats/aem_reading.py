@@ -14,7 +14,6 @@ from polhode.errors import InvalidInput, shown
 from polhode.formats.aem_attitudes import COLUMNS, OLD_NAMES, Meaning, attitudes
 from polhode.formats.epochs import read_epoch, shortest, since
 from polhode.formats.labels import AttitudeLabels, Recording, plain
-from polhode.formats.numerals import read_number
 from polhode.formats.paths import as_path
 from polhode.motion._layout import ATTITUDE, StateLayout
 from polhode.motion._outcome import Ending, Outcome
@@ -108,52 +107,29 @@ def _check_metadata(block: Block) -> None:
 
 
 def _convert_rows(block: Block) -> tuple[Array, ...]:
-    """Return seconds, picoseconds, numbers (n, k) and lines of a segment's data lines."""
+    """Return instants, numbers (n, k) and lines of a segment's data lines."""
     if not block.parts:
         _check_metadata(block)
     kind, time_system = _kind(block), block.time_system
-    width, instants, columns = len(COLUMNS[kind]), np.zeros((len(block.rows), 2), dtype=np.int64), []
-    for k, (line, text) in enumerate(block.rows):
-        time, *words = text.split()
-        if len(words) != width:
-            refuse(block.path, line, f"must be an epoch and {width} numbers, as ATTITUDE_TYPE says; got "
-                                     f"{shown(text[:60])}. {CHECK}")  # fmt: skip
-        try:
-            instants[k] = read_epoch(time, time_system)
-        except ValueError as error:
-            refuse(block.path, line, f"the epoch {error}. {CHECK}")
-        try:
-            columns.append([read_number(word) for word in words])
-        except ValueError:
-            column, word = next((i, word) for i, word in enumerate(words, 1) if not _is_number(word))
-            refuse(block.path, line, f"number {column} of the {width} that make {kind} must be finite, in decimal "
-                                     f"digits; got {shown(word)}. {CHECK}")  # fmt: skip
-    lines = np.array([line for line, _ in block.rows], dtype=np.int64)
-    return instants[:, 0], instants[:, 1], np.array(columns).reshape(-1, width), lines
-
-
-def _is_number(word: str) -> bool:
-    try:
-        read_number(word)
-    except ValueError:
-        return False
-    return True
+    instants, columns, lines = block.read_rows(
+        lambda word: read_epoch(word, time_system), len(COLUMNS[kind]), "as ATTITUDE_TYPE says")  # fmt: skip
+    return instants.reshape(-1, 2), columns.reshape(-1, len(COLUMNS[kind])), lines
 
 
 def _convert_states(block: Block) -> tuple[Array, ...]:
-    """Return seconds, picoseconds, numbers (n, k) and lines of a segment's attitudes in XML."""
+    """Return instants, numbers (n, k) and lines of a segment's attitudes in XML."""
     _check_metadata(block)
-    kind, columns, instants = _kind(block), [], np.zeros((len(block.states), 2), dtype=np.int64)
-    for k, state in enumerate(block.states):
+    kind, instants, columns = _kind(block), [], []
+    for state in block.states:
         try:
-            instants[k] = read_epoch(state.text("EPOCH"), block.time_system)
+            instants.append(read_epoch(state.text("EPOCH"), block.time_system))
         except ValueError as error:
             refuse(block.path, state.values["EPOCH"][1], f"the epoch {error}. {CHECK}")
         columns.append(state.numbers(COLUMNS[kind]))
     if _is_old(block) and kind.startswith("QUATERNION"):  # as the elements are taken by their names
         block.values["QUATERNION_TYPE"] = ("LAST", block.line)
-    lines = np.array([state.line for state in block.states], dtype=np.int64)
-    return instants[:, 0], instants[:, 1], np.array(columns).reshape(-1, len(COLUMNS[kind])), lines
+    lines = np.array([state.line for state in block.states])
+    return np.array(instants).reshape(-1, 2), np.array(columns).reshape(-1, len(COLUMNS[kind])), lines
 
 
 def _join_parts(block: Block) -> _Samples:
@@ -163,15 +139,15 @@ def _join_parts(block: Block) -> _Samples:
         FormatError: where there are none, naming the line of an epoch that does not come after the one before.
     """
     parts = block.parts or [_convert_states(block)]
-    one = _Samples(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
-    if not len(one.whole):
+    instants, columns, lines = (np.concatenate(arrays) for arrays in zip(*parts, strict=True))
+    if not len(lines):
         refuse(block.path, block.line, f"the data of this segment have no attitudes. {CHECK}")
-    steps = np.diff(one.whole)
-    ascending = (steps > 0) | ((steps == 0) & (np.diff(one.picoseconds) > 0))
+    steps, parts_of_second = np.diff(instants, axis=0).T
+    ascending = (steps > 0) | ((steps == 0) & (parts_of_second > 0))
     if not ascending.all():
-        refuse(block.path, int(one.lines[1:][~ascending][0]), "epochs must ascend, without repetition; this one does "
-                                                              f"not come after the one before. {CHECK}")  # fmt: skip
-    return one
+        refuse(block.path, int(lines[1:][~ascending][0]), "epochs must ascend, without repetition; this one does not "
+                                                          f"come after the one before. {CHECK}")  # fmt: skip
+    return _Samples(instants[:, 0], instants[:, 1], columns, lines)
 
 
 def _history(block: Block, given: _Samples, start: tuple[int, int]) -> tuple[Array, Array, Array | None]:
