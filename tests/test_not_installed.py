@@ -1,16 +1,22 @@
-"""A library that is missing is one message, whose command names the library, for polhode may come from a clone."""
+"""A library that is missing is one message, whose command names the extra of the polhode that is installed."""
 
 import importlib
 import re
 import shlex
+import subprocess
 import sys
+import tomllib
+from email.message import Message
+from importlib import metadata
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import polhode as ph
-from polhode.errors import InvalidInput, not_installed
+from polhode._base.compiled import kernel_modules
+from polhode._base.extras import LIBRARIES, named, not_installed
+from polhode.errors import InvalidInput
 from polhode.formats.dataset import write_zarr
 from polhode.formats.dataset_reading import read_dataset
 from polhode.proving.symbolic import _gate
@@ -26,12 +32,24 @@ WAYS = {
         ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), (0.1, 1.0, 0.1), (0.0, 1.0))),
     "python-flint, for proofs of motions": ("flint", lambda path: ph.certify(
         ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.1, 1.0, 0.1)))),
-    "sympy": ("sympy", lambda path: importlib.reload(_gate)),
+    "SymPy": ("sympy", lambda path: importlib.reload(_gate)),
     "python-flint": ("flint", lambda path: ph.algebra.polynomial_casimirs(ph.algebra.SO3(), 2)),
 }
 
 
 PYTHON = re.escape(sys.executable)
+ROOT = Path(__file__).parents[1]
+EXTRAS = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["optional-dependencies"]
+NAMED = "jax", "app", "molecules", "spice", "prove", "docs"  # by messages
+BESIDE = {"numba", "llvmlite", "ipykernel"}  # which no message asks for: two save time, one runs cells of the pages
+
+
+def installed(monkeypatch, *lines):
+    """Let polhode be installed with these lines about what it requires."""
+    about = Message()
+    for line in lines:
+        about.add_header(*line.split(": "))
+    monkeypatch.setattr(metadata, "metadata", lambda name: about)
 
 
 def motion():
@@ -44,7 +62,8 @@ def test_the_library_is_named(name, tmp_path, monkeypatch):
     write_zarr(motion(), tmp_path / "old.zarr")
     monkeypatch.setitem(sys.modules, module, None)
     library = name.split(",")[0]
-    said = rf'need {library}, which is not installed. Run `{PYTHON} -m pip install .*"{library}>='
+    remedy = rf'"(polhode\[{LIBRARIES[module.partition(".")[0]].extra}\]|(?i:{library})>=.*)"'
+    said = rf"need {library}, which is not installed\. Run `{PYTHON} -m pip install {remedy}`\."
     with pytest.raises(InvalidInput, match=said):
         call(tmp_path)
     assert not (tmp_path / "new.zarr").exists()
@@ -64,21 +83,90 @@ def test_a_sweep_without_zarr_is_refused_before_samples_are_tried(tmp_path, monk
         run_sweep(spec, options)
 
 
-def test_without_metadata_the_library_alone_is_named():
-    assert str(not_installed("Stores", "zarr", "none such", "Or not.")) == (
-        f'Stores need zarr, which is not installed. Run `{sys.executable} -m pip install "zarr"`. Or not.'
+def test_the_extra_is_named_where_polhode_is_installed_with_it(monkeypatch):
+    installed(monkeypatch, "Provides-Extra: app", 'Requires-Dist: zarr>=3.1; extra == "app"')
+    assert str(not_installed("Stores need", "zarr", "Or not.")) == (
+        f'Stores need zarr, which is not installed. Run `{sys.executable} -m pip install "polhode[app]"`. Or not.'
     )
+    assert str(not_installed("Stores need", "zarr", alone=True)).endswith(' install "zarr>=3.1"`.')
+
+
+def test_of_an_older_polhode_the_library_is_named_with_its_bound(monkeypatch):
+    installed(monkeypatch, "Provides-Extra: zarr", 'Requires-Dist: zarr>=3.1; extra == "zarr"')
+    assert str(not_installed("Stores need", "zarr")).endswith(' install "zarr>=3.1"`.')
+    assert str(not_installed("Proofs need", "flint")).endswith(' install "python-flint"`.')
+
+
+def test_without_metadata_the_library_alone_is_named(monkeypatch):
+    def missing(name):
+        raise metadata.PackageNotFoundError(name)
+
+    monkeypatch.setattr(metadata, "metadata", missing)
+    assert str(not_installed("Stores need", "zarr")) == (
+        f'Stores need zarr, which is not installed. Run `{sys.executable} -m pip install "zarr"`.'
+    )
+
+
+def test_other_errors_of_imports_stay():
+    for name in ("json.nothing", "a_users_own", None):
+        error = ModuleNotFoundError("no", name=name)
+        assert named("It needs", error) is error
+
+
+def test_each_library_is_brought_by_the_extra_that_is_named():
+    listed = {(re.match(r"[\w.-]+", line)[0].lower(), extra) for extra in NAMED
+              for line in EXTRAS[extra] if not line.startswith("polhode[")}  # fmt: skip
+    told = {(library.name.lower(), library.extra) for library in LIBRARIES.values()}
+    of_others = {("jaxlib", "jax"), ("scipy", "app")}  # required by jax; and by the extra jax, which app includes
+    assert told - listed == of_others and {name for name, _ in listed - told} == BESIDE | {"scipy"}
+    assert "polhode[jax]" in EXTRAS["app"] and "polhode[app,molecules,spice,prove]" in EXTRAS["test"]
+
+
+@pytest.mark.long
+def test_the_core_needs_no_other_library():
+    done = subprocess.run([sys.executable, ROOT / "tests" / "core_alone.py", "--hide"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.long
+def test_pip_takes_an_extra_from_the_polhode_that_is_installed():
+    """And not from an index, where another program might have the name."""
+    try:
+        extras = metadata.metadata("polhode").get_all("Provides-Extra") or []
+    except metadata.PackageNotFoundError:
+        extras = []
+    if "molecules" not in extras or importlib.util.find_spec("pip") is None:
+        pytest.skip("polhode is not installed by pip here, or before it had this extra")
+    asked = [sys.executable, "-m", "pip", "install", "--no-index", "--dry-run", "polhode[molecules]"]
+    done = subprocess.run(asked, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("motion", [
+    lambda momenta: ph.FreeMotion((1.0, 2.0, 3.0), momentum=momenta),
+    lambda momenta: ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=momenta),
+])  # fmt: skip
+def test_without_numba_numpy_takes_many(motion, monkeypatch):
+    """Within the accuracy that is promised of either; which kernel was taken is seen in the last bits of some."""
+    momenta = np.random.default_rng(7).normal(size=(400, 3))
+    by_python = motion(momenta).state(50.0)
+    monkeypatch.setattr(kernel_modules, "is_there", lambda name: False)
+    by_numpy = motion(momenta).state(50.0)
+    for one, other in zip(by_python, by_numpy, strict=True):
+        apart = np.abs(one - other).max()
+        assert 0.0 < apart < 16 * np.finfo(float).eps * np.abs(one).max()
 
 
 def test_a_python_in_a_folder_with_spaces_is_quoted(monkeypatch):
     monkeypatch.setattr(sys, "executable", "/my programs/python")
-    command = str(not_installed("Stores", "zarr", "zarr")).split("`")[1]
+    command = str(not_installed("Stores need", "zarr")).split("`")[1]
     assert shlex.split(command)[:4] == ["/my programs/python", "-m", "pip", "install"]
 
 
-def test_no_remedy_asks_for_polhode_from_an_index():
-    """Nothing in messages or docs installs polhode by its name, which works from no clone."""
-    root = Path(__file__).parents[1]
-    texts = [*root.glob("src/**/*.py"), *root.glob("docs/*.md"), root / "README.md", root / "CONTRIBUTING.md"]
+def test_no_page_asks_for_polhode_from_an_index():
+    """No page installs polhode by its name, which works from no clone; a message does where polhode is installed."""
+    texts = [*ROOT.glob("docs/*.md"), ROOT / "README.md", ROOT / "CONTRIBUTING.md"]
     asking = re.compile(r"pip install (-\S+ )*[\"']?polhode")
-    assert len(texts) > 100 and not [path for path in texts if asking.search(path.read_text("utf-8"))]
+    assert len(texts) > 30 and not [path for path in texts if asking.search(path.read_text("utf-8"))]
+    sources = [path for path in ROOT.glob("src/**/*.py") if asking.search(path.read_text("utf-8"))]
+    assert len(list(ROOT.glob("src/**/*.py"))) > 100 and not sources

@@ -1,8 +1,6 @@
 """What can go wrong, in three kinds; every message names the value, the rule and the remedy."""
 
 import reprlib
-import sys
-from importlib import metadata
 from typing import Any, NamedTuple
 
 __all__ = ["FormatError", "InvalidInput", "NotConverged", "PolhodeError"]
@@ -107,26 +105,12 @@ class FormatError(InvalidInput):
     """A file that breaks its format; the message adds the path and, where known, the line."""
 
 
-def not_installed(what: str, library: str, extra: str, otherwise: str = "") -> InvalidInput:
-    """Return the error for a missing optional library, with the command that installs it.
+class NotInstalled(InvalidInput, ModuleNotFoundError):
+    """A library that is missing, of those that polhode can do without; the message says how to install it."""
 
-    The command names the library itself with the lowest version that works, so it also helps those who installed
-    polhode from a clone; and the Python that runs now, so that the library goes where it is missing.
-
-    Args:
-        what: the features that need the library, in the plural.
-        library: its usual name.
-        extra: of polhode, in which it is listed.
-        otherwise: another remedy, a sentence.
-    """
-    try:
-        listed = metadata.requires("polhode") or []
-    except metadata.PackageNotFoundError:
-        listed = []
-    wanted = [line.split(";")[0].strip() for line in listed if line.endswith((f"== '{extra}'", f'== "{extra}"'))]
-    python = f'"{sys.executable}"' if " " in sys.executable else sys.executable or "python"
-    command = f"{python} -m pip install " + " ".join(f'"{one}"' for one in wanted or [library])
-    return InvalidInput(f"{what} need {library}, which is not installed. Run `{command}`. {otherwise}".rstrip())
+    def __init__(self, *lines: str, name: str | None = None) -> None:
+        super().__init__(*lines)
+        self.name = name
 
 
 def __dir__() -> list[str]:

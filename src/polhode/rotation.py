@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from polhode._base.arrays import as_float64, compiled, is_traced, known_false, namespace
+from polhode._base.extras import needing
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
@@ -388,7 +389,8 @@ def _cross(xp: Any, a: Array, b: Array) -> Array:
 
 def as_scipy(quaternion: Real[ArrayLike, "*batch 4"]) -> Rotation:
     """Return the rotation as SciPy's ``Rotation``, whose quaternions end with the scalar."""
-    from scipy.spatial.transform import Rotation
+    with needing("Rotations of SciPy need", alone=True):
+        from scipy.spatial.transform import Rotation
 
     xp, (q,) = _arrays(quaternion=quaternion)
     return Rotation.from_quat(xp.concat([q[..., 1:], q[..., :1]], axis=-1))

@@ -95,5 +95,6 @@ def test_plain_xyz_and_masses_need_no_ase_and_are_as_with_it(tmp_path, monkeypat
 def test_without_ase_the_remedy_is_said(tmp_path, monkeypatch):
     path = written(tmp_path, ISOTOPES)
     monkeypatch.setitem(sys.modules, "ase.io", None)
-    with pytest.raises(InvalidInput, match=r'which is not installed\. Run `.* -m pip install "ase>=3'):
+    remedy = r'Run `.* -m pip install "(polhode\[molecules\]|ase>=3)'
+    with pytest.raises(InvalidInput, match=rf"which is not installed\. {remedy}"):
         read_molecule(path)

@@ -65,7 +65,7 @@ def test_without_sympy_the_command_says_what_to_install(capsys, monkeypatch):
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.delitem(sys.modules, "polhode.proving.symbolic.command", raising=False)
     code, out, err = run(["derive", "clebsch"], capsys)
-    assert code == 2 and not out and "need sympy, which is not installed. Run `" in err
+    assert code == 2 and not out and "need SymPy, which is not installed. Run `" in err
 
 
 @pytest.mark.parametrize(("value", "words"), [

@@ -47,7 +47,7 @@ def find_casimirs(algebra: AbstractLieAlgebra) -> Found:
     """Return polynomial Casimirs up to degree 4, lowest first, until there are as many as there can be.
 
     The search goes as far as it is quick, up to 1,000 monomials of a degree. It has no result where python-flint, the
-    extra `symbolic`, is missing, or constants are rounded and no simple fractions.
+    extra `jax`, is missing, or constants are rounded and no simple fractions.
     """
     wanted = index(algebra)
     casimirs: list[Polynomial] = []

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import os
 
-import jax
-
 from polhode._base.arrays.kept_programs import keep_programs
+from polhode._base.extras import needing
 from polhode.errors import InvalidInput, shown
+
+with needing("Lie algebras and systems need"):
+    import jax
 
 
 def enable_double_precision() -> None:

@@ -54,7 +54,7 @@ def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int, read_as: str =
 
     Raises:
         InvalidInput: for a degree below 1, constants that are rounded and no simple fractions, a problem too large, or
-            if python-flint, the extra `symbolic`, is missing.
+            if python-flint, of the extra `jax`, is missing.
 
     Source: Abellanas & Martínez Alonso, J. Math. Phys. 16 (1975) 1580.
     """

@@ -163,7 +163,7 @@ def from_structure_constants(
 
     Its Casimirs are watched: they are in the ``drift`` of what ``simulate`` returns, and ``stability`` uses them. Where
     none are given, ``polynomial_casimirs`` computes them up to degree 4, as long as that takes a fraction of a second.
-    Where it misses some, as without python-flint (the extra ``symbolic``), motions do not change, and their ``outcome``
+    Where it misses some, as without python-flint (the extra ``jax``), motions do not change, and their ``outcome``
     says what is not watched.
 
     Args:

@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from polhode._base.extras import needing
 from polhode._base.rational.numbers import read_number
-from polhode.errors import InvalidInput, NotConverged, not_installed, shown
+from polhode.errors import InvalidInput, NotConverged, shown
 
 Ball = Any
 """A real or complex ball of python-flint."""
@@ -42,10 +43,8 @@ def import_flint() -> Any:
     Raises:
         InvalidInput: if it is not installed.
     """
-    try:
+    with needing("Proofs need"):
         import flint
-    except ImportError:
-        raise not_installed("Proofs", "python-flint", "symbolic") from None
     copyreg.pickle(flint.arb, _reduce_ball)  # so that proofs can be pickled and copied
     copyreg.pickle(flint.acb, lambda ball: (flint.acb, (ball.real, ball.imag)))
     copyreg.pickle(flint.fmpq_poly, lambda polynomial: (flint.fmpq_poly, (polynomial.coeffs(),)))

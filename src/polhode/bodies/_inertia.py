@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode._base.arrays import as_float64, is_traced
+from polhode._base.extras import needing
 from polhode.bodies._digits import judge_moments
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -57,7 +58,8 @@ def nearest_physical(inertia: Float64[Array, "3 3"]) -> Float64[Array, "3 3"]:
     Source: Lawson & Hanson, *Solving Least Squares Problems* (1974), ch. 23; Lewis, Math. Oper. Res. 21 (1996) 576
     (projections onto sets of matrices that depend on eigenvalues alone).
     """
-    from scipy.optimize import nnls
+    with needing("Inertia tensors of rounded numbers need", alone=True):
+        from scipy.optimize import nnls
 
     scale = float(np.abs(inertia).max())
     if not 0.0 < scale < LIMITS.largest:

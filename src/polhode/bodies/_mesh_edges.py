@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base.extras import needing
 from polhode.types import Bool, Float64, Integer
 
 
@@ -65,8 +66,9 @@ def find_pieces(
     vertices: Float64[np.ndarray, "n 3"], faces: Integer[np.ndarray, "m 3"]
 ) -> list[Integer[np.ndarray, "_"]]:
     """Return the indices of the faces of each closed piece of surface; every edge is used evenly both ways."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
+    with needing("Bodies of meshes need", alone=True):
+        from scipy.sparse import coo_array
+        from scipy.sparse.csgraph import connected_components
 
     edges = find_edges(faces)
     one, other, _ = find_neighbours(edges)

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base.extras import needing
 from polhode.bodies._extruded import triangulate
 from polhode.bodies._mesh_crossing import depths
 from polhode.bodies._mesh_edges import find_edges, find_neighbours, find_pieces
@@ -104,8 +105,9 @@ def _orient_faces(faces: np.ndarray) -> np.ndarray:
     Each face is in a graph twice, as it is and reversed; neighbours are joined in the ways that agree. A surface
     with two sides falls apart into two copies.
     """
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
+    with needing("Repairs of meshes need", alone=True):
+        from scipy.sparse import coo_array
+        from scipy.sparse.csgraph import connected_components
 
     one, other, clash = find_neighbours(find_edges(faces))
     n = len(faces)

@@ -6,6 +6,6 @@ Wisdom, Peale and Mignard (1984), Wilson and Vicente (1990). From the core it ta
 orbit (``systems``), ``simulation``, and estimates with their noise (``estimation``).
 """
 
-import lazy_loader
+from polhode._base.extras import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

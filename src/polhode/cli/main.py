@@ -10,9 +10,10 @@ import sys
 import warnings
 from typing import Any, NoReturn
 
+from polhode._base.extras import named
 from polhode.cli.stopping import SIGNALS, Stopped, describe_stop, stop_on_signals
 from polhode.cli.terminal import readable_output
-from polhode.errors import InvalidInput, PolhodeError, one_line, shown
+from polhode.errors import InvalidInput, NotInstalled, PolhodeError, one_line, shown
 
 THREADS = "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS", "BLIS_NUM_THREADS"
 MISTAKE, PIPE_CLOSED = 2, 1  # exit codes
@@ -92,6 +93,12 @@ def _run(arguments: list[str] | None) -> int | str | None:
         return end.code
     except PolhodeError as error:
         _tell(f"polhode: {error}\n")
+        return MISTAKE
+    except ModuleNotFoundError as error:
+        said = named("the command needs", error)
+        if not isinstance(said, NotInstalled):
+            raise
+        _tell(f"polhode: {said}\n")
         return MISTAKE
     except MemoryError as error:
         _tell(f"polhode: there is not enough memory ({error}). Give fewer `samples` under [time], or a smaller file.\n")

@@ -6,6 +6,6 @@ over polhode's public names, and each has a second formula beside it that a test
 ``errors`` alone, and the whole package by the name ``ph`` of these expressions.
 """
 
-import lazy_loader
+from polhode._base.extras import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

@@ -1,5 +1,5 @@
 """What fits share: estimates with their covariance, last steps of least squares, tests of residuals."""
 
-import lazy_loader
+from polhode._base.extras import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

@@ -1,6 +1,7 @@
 """Runs a closed form's kernels, by Python for little work and by Numba for much, always to the same bits.
 
-For one body at a few times, neither loading Numba nor compiling is worth it.
+For one body at a few times, neither loading Numba nor compiling is worth it. Where Numba is not installed, NumPy takes
+much work, by the array forms that JAX traces too, whose last bits are others.
 """
 
 from __future__ import annotations
@@ -15,13 +16,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode._base.compiled.copying import Space
-from polhode._base.compiled.kernel_modules import KernelModules, is_worth
+from polhode._base.compiled.kernel_modules import KernelModules, can_compile, is_worth
 from polhode._base.compiled.threads import in_threads
 from polhode.exact import _kernel_loops as kernel_loops
 from polhode.exact._blocks import Columns, Vectors, columns_in_blocks
 from polhode.types import Array, Float64
 
 COMMON = tuple(f"polhode.exact.{name}" for name in ("_kernel_arithmetic", "_kernel_agm", "_formulas", "_kernel_loops"))
+STATE, SET_UP = 7e-6, 1.5e-4  # s that Python takes for a state, and for a body, about
+ARRAY_STATES, ARRAY_SET_UP = 4e-4, 5e-3  # s that NumPy takes for few states or bodies, almost all for its calls, about
+ROWS = 8192  # states at a time by NumPy, whose temporaries then stay in the cache; worth a thread, as bodies are
 ARITHMETIC = "polhode.exact._compiled_arithmetic"  # which imports Numba
 State = tuple[float, float, float, float, float, float, float]
 
@@ -99,16 +103,21 @@ class ClosedForm:
         flat = [np.broadcast_to(v, (*shape, np.shape(v)[-1])).reshape(-1, np.shape(v)[-1]) for v in arguments]
         count = math.prod(shape)
         columns, left = np.empty((self._constant("_formulas", "COLUMNS"), count)), np.ones(count, bool)
-        if self._is_worth("set_up", 1.5e-4 * count):  # s that Python takes for a body, about
+        if self._is_worth("set_up", SET_UP * count):
             self._set_up_many(flat, columns, left)
+        elif _is_for_numpy(SET_UP * count, ARRAY_SET_UP):
+            in_threads(lambda low, high: self._set_up_rows(slice(low, high), flat, columns), count, ROWS)
+            left[:] = False
         else:
             for k in range(count):
                 self._set_up_one([v[k] for v in flat], k, columns, left)
         if left.any():
-            of_left = columns_in_blocks(self._prepare, tuple(v[left] for v in flat))
-            for column, values in zip(columns, of_left, strict=True):
-                column[left] = values
+            self._set_up_rows(left, flat, columns)
         return columns.reshape(len(columns), *shape)
+
+    def _set_up_rows(self, rows: Any, flat: Sequence[Array], columns: Array) -> None:
+        for column, values in zip(columns, columns_in_blocks(self._prepare, tuple(v[rows] for v in flat)), strict=True):
+            column[rows] = values
 
     def _set_up_many(self, flat: Sequence[Array], columns: Array, left: Array) -> None:
         inputs = [_own(v) for v in flat]
@@ -150,11 +159,12 @@ class ClosedForm:
         times, rests = (_own(np.broadcast_to(x, shape)).reshape(-1) for x in (elapsed, rest))
         count = math.prod(batch)
         flat = columns.reshape(len(columns), count)
-        seconds = 7e-6 * len(times)  # that Python takes, about
-        compiled = self._is_worth("states_of_one" if count == 1 else "states_of_many", seconds)
+        compiled = self._is_worth("states_of_one" if count == 1 else "states_of_many", STATE * len(times))
         bodies = None if count == 1 else np.broadcast_to(np.arange(count).reshape(batch), shape).reshape(-1)
         outputs = np.empty((len(times), 4)), np.empty((len(times), 3))  # apart, as strided ones would not do for others
-        if not compiled:
+        if not compiled and _is_for_numpy(STATE * len(times), ARRAY_STATES):
+            self._by_arrays(flat, bodies, times, rests, *outputs)
+        elif not compiled:
             self._by_python(flat, bodies, times, rests, *outputs)
         elif bodies is None:
             self._of_one(flat[:, 0].tolist(), times, rests, *outputs)
@@ -169,6 +179,23 @@ class ClosedForm:
         for i, (time, rest) in enumerate(zip(times.tolist(), rests.tolist(), strict=True)):
             components = self.state(rows[0 if bodies is None else bodies[i]], time, rest)
             attitude[i], momentum[i] = components[:4], components[4:]
+
+    def _by_arrays(
+        self, flat: Array, bodies: Array | None, times: Array, rests: Array, attitude: Array, momentum: Array
+    ) -> None:
+        states = importlib.import_module(f"{self._package}._preparation").STATES
+        in_order = bodies is not None and np.array_equal(bodies, np.arange(flat.shape[1]))  # each at its time
+
+        def fill(start: int, end: int) -> None:
+            for low in range(start, end, ROWS):
+                rows = slice(low, min(low + ROWS, end))
+                full, *others = flat[:, rows if in_order else 0 if bodies is None else bodies[rows]]
+                with np.errstate(all="ignore"):
+                    parts = states.evaluate((full != 0.0, *others), times[rows], rests[rows])
+                for k, part in enumerate(parts):
+                    (attitude[rows, k] if k < 4 else momentum[rows, k - 4])[:] = part
+
+        in_threads(fill, len(times), ROWS)
 
     def _of_one(
         self, column: Sequence[float], times: Array, rests: Array, attitude: Array, momentum: Array
@@ -186,6 +213,11 @@ class ClosedForm:
             flat, bodies[low:high], times[low:high], rests[low:high], attitude[low:high], momentum[low:high]
         )
         in_threads(fill, len(times), kernel_loops.WORTH)
+
+
+def _is_for_numpy(seconds: float, by_arrays: float) -> bool:
+    """Return whether NumPy is to do what takes Python so long, and what Numba would do if it was installed."""
+    return seconds > by_arrays and not can_compile()
 
 
 def _own(values: Array, of: type = float) -> Array:

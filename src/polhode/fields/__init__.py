@@ -7,6 +7,6 @@ and Viviani (2020) for fluids, Evstatiev and Shadwick (2013) for plasmas, Flasch
 it takes ``algebra``, ``systems``, ``integrators``, ``solving`` and verdicts on stability (``analysis``).
 """
 
-import lazy_loader
+from polhode._base.extras import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from polhode.errors import InvalidInput, not_installed, shown
+from polhode._base.extras import needing
+from polhode.errors import InvalidInput, shown
 from polhode.formats.dataset_rules import COMPLEX_PART, COMPONENTS, COUNTED, MEMORY, PLAN, UNITS
 from polhode.formats.labels import AttitudeLabels, find_labels
 from polhode.formats.opening import MB, read_file
@@ -234,10 +235,8 @@ def write_zarr(trajectory: Trajectory, path: str | Path, attributes: dict[str, s
     Raises:
         InvalidInput: if it cannot be written there, for states that are not finite, or if zarr is not installed.
     """
-    try:
+    with needing("Zarr stores need"):
         import zarr.storage
-    except ImportError:
-        raise not_installed("Zarr stores", "zarr", "zarr") from None
     path = as_path("path", path)
     _check_finite(trajectory)
     dataset = as_dataset(trajectory, attributes)

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from polhode.errors import FormatError, InvalidInput, not_installed, shown
+from polhode._base.extras import needing
+from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.attitude_checks import DAMAGED, check_recorded
 from polhode.formats.dataset_rules import (
     COMPLEX_PART,
@@ -149,11 +150,9 @@ def _load(path: Path) -> xarray.Dataset:
 def _load_store(path: Path) -> xarray.Dataset:
     import xarray as xr
 
-    try:
+    with needing("Zarr stores need"):
         import zarr
         from zarr.storage import LocalStore
-    except ImportError:
-        raise not_installed("Zarr stores", "zarr", "zarr") from None
     names = check_store(path)
     # a store by its path could be taken for an address; consolidated documents are copies that may say something else
     store: Any = LocalStore(path, read_only=True)

@@ -13,7 +13,7 @@ import numpy as np
 from polhode.bodies._mesh import mass_properties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.mesh_archives import LIBRARIES, check_archive, names_its_unit
+from polhode.formats.mesh_archives import MODULES, check_archive, names_its_unit
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import as_path
 from polhode.types import Array, Float64, Integer
@@ -138,7 +138,7 @@ def _load(path: Path, content: bytes, unit: float | None) -> tuple[Array, Array,
         from polhode.formats.stl_mesh import read_stl
 
         return *read_stl(path, content), unit or 1.0
-    if ending in LIBRARIES:
+    if ending in MODULES:
         unit = check_archive(path, ending, content, unit)
     else:
         from polhode.formats.mesh_checks import check_content

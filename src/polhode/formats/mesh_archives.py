@@ -12,10 +12,10 @@ import zipfile
 from pathlib import Path
 from typing import NamedTuple
 
-from polhode.errors import FormatError, InvalidInput, not_installed, shown
+from polhode._base.extras import needing
+from polhode.errors import FormatError, InvalidInput, shown
 
-LIBRARIES = {"3mf": (("lxml.etree", "lxml"), ("networkx", "networkx")),
-             "dae": (("collada", "pycollada"), ("lxml.etree", "lxml"), ("networkx", "networkx"))}  # fmt: skip
+MODULES = {"3mf": ("lxml.etree", "networkx"), "dae": ("collada", "lxml.etree", "networkx")}  # which trimesh needs
 UNITS_OF_3MF = {"micron": 1e-6, "millimeter": 1e-3, "centimeter": 1e-2, "inch": 0.0254, "foot": 0.3048, "meter": 1.0}
 _MODEL = re.compile(rb"<(?:\w+:)?model\b[^>]*?\bunit\s*=\s*[\"'](\w+)[\"']")
 _ASSET = re.compile(rb"<unit\b[^>]*?\bmeter\s*=\s*[\"']([^\"']+)[\"']")
@@ -33,7 +33,7 @@ LIMITS = ArchiveLimits()
 
 def names_its_unit(path: str | Path) -> bool:
     """Return whether mesh files of this ending say what their unit is."""
-    return Path(path).suffix.lower().lstrip(".") in LIBRARIES
+    return Path(path).suffix.lower().lstrip(".") in MODULES
 
 
 def check_archive(path: Path, ending: str, content: bytes, unit: float | None) -> float:
@@ -49,11 +49,9 @@ def check_archive(path: Path, ending: str, content: bytes, unit: float | None) -
         InvalidInput: where a library is missing, or the unit is not that of the file.
         FormatError: for archives larger than they look, and XML that declares entities.
     """
-    for module, library in LIBRARIES[ending]:
-        try:
+    with needing(f"{ending.upper()} files need", "Or convert it to STL."):
+        for module in MODULES[ending]:
             importlib.import_module(module)
-        except ImportError:
-            raise not_installed(f"{ending.upper()} files", library, "meshes", "Or convert it to STL.") from None
     texts = _unpack(path, content) if ending == "3mf" else [content]
     if any(b"\0" in text for text in texts):  # other encodings could hide the entities searched for below
         raise FormatError(f"{path}: must be written in UTF-8. Export it again.")

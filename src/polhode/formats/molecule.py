@@ -10,8 +10,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode._base.extras import needing
 from polhode.bodies.atoms import ANGSTROM, ATOMIC_MASS_UNIT, explain_symbol, is_element
-from polhode.errors import FormatError, not_installed, shown
+from polhode.errors import FormatError, shown
 from polhode.formats.numerals import is_misread
 from polhode.formats.opening import MB, read_text
 from polhode.formats.paths import as_path
@@ -96,11 +97,9 @@ def _read_plain(path: Path, text: str) -> tuple[list[str], Array, None, bool]:
 
 def _read_by_ase(path: Path, text: str, form: str) -> tuple[list[str], Array, Array | None, bool]:
     """Return symbols, positions (n, 3) [m], masses (n,) [kg] or None, and whether it is periodic."""
-    try:
+    otherwise = "Or save it as plain .xyz: a symbol and three numbers in ångström for each atom."
+    with needing(f"molecule files like {path.name} need", otherwise):
         import ase.io
-    except ImportError:
-        otherwise = "Or save it as plain .xyz: a symbol and three numbers in ångström for each atom."
-        raise not_installed(f"molecule files like {path.name}", "ASE", "molecules", otherwise) from None
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")

@@ -1,7 +1,6 @@
 """Integrators that conserve what a Lie–Poisson system conserves, as diffrax solvers."""
 
-import lazy_loader
-
 import polhode.algebra  # noqa: F401  # which switches JAX to 64 bits
+from polhode._base.extras import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

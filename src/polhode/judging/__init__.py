@@ -6,6 +6,6 @@ Lagrange tops too, exact to rounding. Sources: Richardson (1927) and Roache (199
 takes closed forms (``exact``) and ``rotation``; from the application reports and a figure.
 """
 
-import lazy_loader
+from polhode._base.extras import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

@@ -6,6 +6,6 @@ and Jardin and Mueller (2009) on pendulums, MacKay (1992) on unmodelled torques.
 (``exact``), estimates (``estimation``) and tests of residuals (``special``).
 """
 
-import lazy_loader
+from polhode._base.extras import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

@@ -6,6 +6,6 @@ Ratiu (1999), Johansson on ball arithmetic (2017). From the core it takes system
 ``algebra``, ``poisson``), closed forms (``exact``), traced rates (``taylor``) and ``certificates``.
 """
 
-import lazy_loader
+from polhode._base.extras import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

@@ -24,7 +24,7 @@ def certify(
     """Prove bounds of a free body's or a Lagrange top's motion, with up to 1000 digits.
 
     Printed are the regime and verdicts, decided in exact arithmetic, and periods, precession, geometric phase, action
-    and states, each with a radius within which the truth lies. Needs the extra symbolic.
+    and states, each with a radius within which the truth lies.
     """
     from polhode.proving.enclosures.command import run_certify
 
@@ -46,7 +46,7 @@ def derive(
     """Derive the equations of a system from its bracket, each step checked.
 
     Brackets, equations of motion, Casimirs, integrals and conditions of stability are computed by symbols and compared
-    with the numerical system. Needs the extra symbolic.
+    with the numerical system.
     """
     from polhode.proving.symbolic.command import run_derive
 

@@ -6,6 +6,6 @@ Moffatt (2000), Bildsten (2002) and Leine (2009) beside the classical couple. Fr
 ``simulation``, Legendre functions (``special``) and verdicts on steady motions (``analysis``).
 """
 
-import lazy_loader
+from polhode._base.extras import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

@@ -6,6 +6,6 @@ documents on SPICE. From the core it takes ``bodies``, trajectories (``motion``)
 bracket (``systems``), ``simulation`` and verdicts on stability (``analysis``).
 """
 
-import lazy_loader
+from polhode._base.extras import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

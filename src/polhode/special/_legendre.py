@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode._base.arrays import namespace
+from polhode._base.extras import needing
 from polhode.types import Array, Float64
 
 EULER = 0.57721566490153286061
@@ -56,7 +57,8 @@ def legendre_function(kappa: float) -> LegendreFunction:
     >>> round(float(legendre_function(2.0).values(np.asarray(1.0))[0]), 12)
     1.59239232636
     """
-    from scipy.special import digamma
+    with needing("Legendre functions need", alone=True):
+        from scipy.special import digamma
 
     # −ν and ν + 1 are the roots of z(1 − z) = κ: both real or conjugates of each other, so that ψ(n−ν) + ψ(n+ν+1) is
     # real, and (n − ν)(n + ν + 1) = n(n+1) + κ

@@ -6,6 +6,6 @@ Khersonskii (1988) on spherical tensors, Pickett (1991) on the files of SPFIT an
 (``bodies``), polhodes (``analysis``) and free bodies (``exact``).
 """
 
-import lazy_loader
+from polhode._base.extras import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

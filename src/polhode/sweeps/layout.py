@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from polhode.errors import not_installed
+from polhode._base.extras import needing
 from polhode.formats.zarr_gate import OF_A_SWEEP
 from polhode.sweeps.evaluation import Column
 
@@ -27,11 +27,9 @@ COMPRESSOR = {"id": "blosc", "cname": "lz4", "clevel": 5, "shuffle": 1, "blocksi
 
 def import_zarr() -> Any:
     """Return zarr, or raise InvalidInput where it is not installed."""
-    try:
+    with needing("Sweeps need"):
         import zarr
         import zarr.storage
-    except ImportError:
-        raise not_installed("Sweeps", "zarr", "sweep") from None
     return zarr
 
 

@@ -18,9 +18,10 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from polhode._base.compiled.threads import available_cores
+from polhode._base.extras import needing
 from polhode._base.plugins import Plugin, digest_plugins, record_plugins
 from polhode._base.plugins.program import program_digest, program_parts
-from polhode.errors import InvalidInput, PolhodeError, not_installed
+from polhode.errors import InvalidInput, PolhodeError
 from polhode.formats.opening import record_files
 from polhode.formats.paths import FULL
 from polhode.sweeps.evaluation import STATUS, Column, Evaluator
@@ -275,11 +276,9 @@ def _threads(client: Any) -> int:
 
 @contextlib.contextmanager
 def _cluster(workers: int, scheduler: str | None) -> Iterator[Any]:
-    try:
+    with needing("Sweeps on several processes need"):
         from dask import config
         from distributed import Client, LocalCluster
-    except ImportError:
-        raise not_installed("Sweeps on several processes", "distributed", "sweep") from None
     with config.set({"distributed.comm.timeouts.connect": f"{LIMITS.answer_timeout}s",
                      "distributed.nanny.pre-spawn-environ": ENVIRONMENT}):  # fmt: skip
         if scheduler is not None:

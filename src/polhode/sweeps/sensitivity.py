@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.errors import not_installed
+from polhode._base.extras import needing
 from polhode.sweeps.sampling import Design
 
 
@@ -38,10 +38,8 @@ def sobol_indices(design: Design, values: Any) -> list[Indices] | None:
         design: whose samples they are.
         values: (sample,), NaN where there is none.
     """
-    try:
+    with needing("Sensitivities need"):
         from SALib.analyze import sobol
-    except ImportError:
-        raise not_installed("Sensitivities", "SALib", "sweep") from None
     groups = np.asarray(values, dtype=float).reshape(-1, design.group)
     groups = groups[np.isfinite(groups).all(axis=1)]
     if len(groups) < 2 or np.ptp(groups) == 0.0:

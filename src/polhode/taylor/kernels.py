@@ -13,7 +13,7 @@ from types import ModuleType
 from typing import Any, ClassVar, NamedTuple
 
 from polhode._base.compiled.copying import Space
-from polhode._base.compiled.kernel_modules import LOADED, KernelModules, is_worth
+from polhode._base.compiled.kernel_modules import LOADED, KernelModules, can_compile, is_worth
 from polhode.special import _doubledouble as doubledouble
 from polhode.taylor import (
     kernel,
@@ -98,7 +98,8 @@ def choose_kernel(copies: int, extended: bool = False) -> Kernel:
 def write_code(use: Kernel, program: Program, integrals: Program) -> tuple[Any, Any]:
     """Return ``Code`` of a program that has run for as long as it takes to write that, else None; and of integrals."""
     spent = _Spent.by_program.get(program.form, 0.0)
-    if program.length > LIMITS.max_operations or spent < LIMITS.min_seconds_of_operation * program.length:
+    is_due = spent >= LIMITS.min_seconds_of_operation * program.length
+    if program.length > LIMITS.max_operations or not is_due or not can_compile():
         return None, None
     from polhode.taylor.straight_line import generate, generate_values
 
@@ -125,7 +126,7 @@ def note_rest(use: Kernel, extended: bool, spent: float, seconds: float) -> None
     The progress meter extrapolates from the first second, so a run must not spend ten in Python before it is compiled.
     """
     width = EXTENDED if extended else 1
-    if not use.is_compiled and spent >= LOADED and seconds >= COMPILED[width]:
+    if not use.is_compiled and spent >= LOADED and seconds >= COMPILED[width] and can_compile():
         _Spent.ready.add(width)
 
 

@@ -1,5 +1,5 @@
 """Checks of the laws that algebras and systems must obey, and hard motions by which to judge an engine."""
 
-import lazy_loader
+from polhode._base.extras import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

@@ -10,7 +10,6 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any, NamedTuple
 
-from filelock import FileLock
 from numba import njit, typeof
 from numba.core import event
 from numba.core.caching import IndexDataCacheFile
@@ -85,10 +84,12 @@ class CompiledFunction:
 
     @contextmanager
     def _alone(self) -> Iterator[None]:
-        lock = FileLock(self._place / f"{self.dispatcher.__qualname__}.lock", timeout=LIMITS.max_wait)
         try:
+            from filelock import FileLock
+
+            lock = FileLock(self._place / f"{self.dispatcher.__qualname__}.lock", timeout=LIMITS.max_wait)
             lock.acquire()
-        except (OSError, NotImplementedError):  # read-only, without locks, or held for too long
+        except (ImportError, OSError, NotImplementedError):  # not there, read-only, without locks, held for too long
             yield
             return
         try:

@@ -1,7 +1,7 @@
 """The modules of a kernel, as Python runs them and as Numba compiles them, with equal bits.
 
 Numba takes a third of a second to load, and some seconds to compile a kernel, once for an installation. Neither is
-worth it for little work.
+worth it for little work. polhode does without it where it is not installed.
 """
 
 from __future__ import annotations
@@ -16,8 +16,14 @@ from types import ModuleType
 from typing import Any
 
 from polhode._base.compiled.copying import NOTHING, Space, copy_modules
+from polhode._base.extras import is_there
 
 LOADED = 0.3  # s of Python's time from which loading a kernel is worth it
+
+
+def can_compile() -> bool:
+    """Return whether Numba is installed, without which all kernels are run by Python or NumPy."""
+    return is_there("numba") and is_there("llvmlite")
 
 
 def is_worth(spent: float, compiling: float, is_on_disk: Callable[[], bool]) -> bool:
@@ -28,7 +34,7 @@ def is_worth(spent: float, compiling: float, is_on_disk: Callable[[], bool]) -> 
         compiling: time [s] that Numba takes to compile it.
         is_on_disk: says whether it has been compiled before.
     """
-    return spent >= compiling or (spent >= LOADED and is_on_disk())
+    return can_compile() and (spent >= compiling or (spent >= LOADED and is_on_disk()))
 
 
 class KernelModules:

@@ -9,8 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base.extras import needing
 from polhode._base.rational._terms import Terms
-from polhode.errors import InvalidInput, not_installed
+from polhode.errors import InvalidInput
 
 REMEDY = "Lower the degree; `stability` takes Casimirs that are known otherwise by `casimirs=`."
 
@@ -47,10 +48,8 @@ def _reduce_rows(rows: list[dict[int, Fraction]], columns: int) -> tuple[list[in
     """
     if not rows:
         return [], []
-    try:
+    with needing("Exact Casimirs and integrals need"):
         from flint import fmpq, fmpq_mat
-    except ImportError:
-        raise not_installed("Exact Casimirs and integrals", "python-flint", "symbolic") from None
     pairs: list[tuple[int, dict[int, Fraction]]] = []
     for block, unknowns in _blocks(rows, columns):
         matrix = fmpq_mat(len(block), len(unknowns))

@@ -7,6 +7,6 @@ The derivative is in ``tangent``, from ``flow`` (less than a nutation), ``period
 (tops whose axis stays vertical).
 """
 
-import lazy_loader
+from polhode._base.extras import attach_stub
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

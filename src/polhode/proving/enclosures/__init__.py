@@ -1,1 +1,1 @@
-"""Proved bounds of the free body and the Lagrange top, in ball arithmetic (extra `symbolic`)."""
+"""Proved bounds of the free body and the Lagrange top, in ball arithmetic."""

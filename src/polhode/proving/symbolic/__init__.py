@@ -1,1 +1,1 @@
-"""Brackets, equations, integrals and stability in symbols, by SymPy (extra `symbolic`), and derivations as pages."""
+"""Brackets, equations, integrals and stability in symbols, by SymPy, and derivations as pages."""

@@ -5,14 +5,12 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
-from polhode.errors import not_installed
+from polhode._base.extras import needing
 
 # without types: SymPy's own are partial, and wrong in places
-try:
+with needing("Derivations and symbolic brackets need"):
     sympy: Any = import_module("sympy")
     mathml: Any = import_module("sympy.printing.mathml").mathml
     PrettyPrinter: Any = import_module("sympy.printing.pretty.pretty").PrettyPrinter
-except ImportError:
-    raise not_installed("Derivations and symbolic brackets", "sympy", "symbolic") from None
 
 __all__ = ["PrettyPrinter", "mathml", "sympy"]

@@ -7,12 +7,13 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from polhode._base.extras import needing
 from polhode._base.rational._polynomials import RationalPolynomial, quadratic_form
 from polhode.certificates._confinement import Confinement
 from polhode.certificates._equations import Equations
 from polhode.certificates._growth import Drift, Growth
 from polhode.certificates.rational import RationalCertificate, require_rational
-from polhode.errors import InvalidInput, not_installed
+from polhode.errors import InvalidInput
 
 
 class SolverLimits(NamedTuple):
@@ -38,10 +39,8 @@ def check_by_z3(certificate: RationalCertificate) -> None:
         InvalidInput: with the claim that fails or stays open, or if z3-solver, the extra `prove`, is missing.
     """
     require_rational(certificate)
-    try:
+    with needing("checks by z3 need", "`as_rational().check()` needs no solver."):
         import z3
-    except ImportError:
-        raise not_installed("checks by z3", "z3-solver", "prove", "`as_rational().check()` needs no solver.") from None
     equations = certificate.equations
     v: list[Any] = [z3.Real(f"v{k + 1}") for k in range(equations.size)]
     for claim, counterexample in _claims(equations, certificate.proof, v):

@@ -11,7 +11,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from polhode.errors import FormatError, InvalidInput, not_installed, shown
+from polhode._base.extras import needing
+from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.time_scales import barycentric_time, terrestrial_time
 
@@ -64,10 +65,8 @@ def spiceypy() -> Any:
     Raises:
         InvalidInput: where it is not installed.
     """
-    try:
+    with needing("SPICE kernels need"):
         import spiceypy
-    except ImportError:
-        raise not_installed("SPICE kernels", "spiceypy", "spice") from None
     return spiceypy
 
 
