@@ -67,7 +67,7 @@ DECLARED = ("cli/commands/application.py", "cli/commands/specs.py", "cli/command
             "judging/commands.py", "sweeps/commands.py")
 """Where options are declared, with help that speaks of several commands."""
 # words in backticks that are of other packages
-FOREIGN = {"python -m sphinx learn out/learn", "np.polyfit", "float", "dask scheduler", "JAX_ENABLE_X64"}
+FOREIGN = {"np.polyfit", "float", "dask scheduler", "JAX_ENABLE_X64"}
 
 
 class Text(NamedTuple):

@@ -34,7 +34,8 @@ def learn(
 ) -> None:
     """Open the course in a browser, without a network, or write a worksheet.
 
-    Fourteen chapters at three tiers, each with a panel, a derivation and exercises that check themselves.
+    Fourteen chapters at three tiers, each with a panel, a derivation and exercises that check themselves. Releases have
+    the course; a checkout builds it first, by Sphinx, which the extra docs brings.
     """
     from polhode.course.command import run_learn
 
