@@ -14,6 +14,7 @@ import pytest
 import polhode
 from polhode._base.plugins import GROUPS
 from polhode._base.plugins.wings import TABLE, wing_details, wing_names, wing_points
+from polhode.cli.commands.records import _list_forms
 from polhode.formats import form_registry
 from polhode.kinds import registry
 from polhode.kinds.base import AbstractKind
@@ -21,6 +22,7 @@ from polhode.spec.models import BodyTable
 
 ROOT = Path(__file__).parents[1]
 SOURCES = Path(polhode.__file__).parent
+EXTRAS = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["optional-dependencies"]
 
 
 @pytest.mark.parametrize("wing", wing_names())
@@ -70,7 +72,9 @@ def test_what_is_told_of_formats_is_so():
         assert (name, line["ending"]) == (form.name, form.ending)
         assert bool(line.get("writes")) is (form.write is not None), name
         assert ("heads" in line, "names" in line) == (form.begins is not None, form.named is not None), name
-        assert set(line) <= {"name", "ending", "writes", "heads", "names"}, name
+        assert set(line) <= {"name", "ending", "writes", "heads", "names", "extra"}, name
+        assert line.get("extra") in (None, *EXTRAS), name
+    assert "ck (extra spice)," in _list_forms()  # in the help of export
 
 
 HEADS = {

@@ -55,6 +55,11 @@ def writable_names() -> list[str]:
     return [*own, *(name for name, form in _others().items() if form.write is not None)]
 
 
+def extra_of(name: str) -> str | None:
+    """Return the extra that a form of polhode's own needs, None where the application has all."""
+    return _own()[name].told.get("extra") if name in _own() else None
+
+
 def _is_written(one: _Listed) -> bool:
     return bool(one.table.get("writes")) or ("ending" not in one.table and one.load().write is not None)
 

@@ -10,7 +10,9 @@ import typer
 from polhode.cli.arguments import whole_number
 
 MoleculeFile = Annotated[
-    Path, typer.Argument(metavar="FILE", help="Spec in TOML, of any kind with a molecule, or atoms, such as an .xyz.")
+    Path,
+    typer.Argument(metavar="FILE",
+                   help="Spec in TOML, of any kind with a molecule, or atoms: .xyz, or others by the extra molecules."),
 ]
 LargestJ = Annotated[
     int | None,

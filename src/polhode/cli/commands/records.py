@@ -13,12 +13,12 @@ from polhode.cli.column_options import ColumnOptions
 from polhode.cli.commands.application import AsJson, BodySpec, SpecPath, app
 from polhode.cli.grouped_options import grouped
 from polhode.cli.source_options import KernelOptions
-from polhode.formats.form_registry import writable_names
+from polhode.formats.form_registry import extra_of, writable_names
 
 
 def _list_forms() -> str:
-    """Return the names of the forms of files, for the help."""
-    *names, last = writable_names()
+    """Return the names of the forms of files, for the help, each with the extra that it needs, if any."""
+    *names, last = (f"{name} (extra {extra})" if (extra := extra_of(name)) else name for name in writable_names())
     return f"{', '.join(names)} or {last}"
 
 
@@ -71,7 +71,8 @@ def export(
 @grouped
 def import_(
     file: Annotated[
-        Path, typer.Argument(metavar="FILE", help="Of CCSDS, SPICE, STK, 42 and others, or any table of numbers.")
+        Path, typer.Argument(metavar="FILE", help="Of CCSDS, SPICE (extra spice), STK, 42 and others, or any table of "
+                             "numbers.")
     ],
     json: AsJson = False,
     out: Annotated[
