@@ -35,7 +35,7 @@ class OwnCasimirLimits(NamedTuple):
 LIMITS = OwnCasimirLimits()
 
 
-class Found(NamedTuple):
+class PolynomialCasimirs(NamedTuple):
     """Polynomial Casimirs, and what a run says where there are more that it cannot watch; "" where there are not."""
 
     casimirs: tuple[Polynomial, ...]
@@ -43,7 +43,7 @@ class Found(NamedTuple):
 
 
 @lru_cache(maxsize=64)
-def find_casimirs(algebra: AbstractLieAlgebra) -> Found:
+def find_casimirs(algebra: AbstractLieAlgebra) -> PolynomialCasimirs:
     """Return polynomial Casimirs up to degree 4, lowest first, until there are as many as there can be.
 
     The search goes as far as it is quick, up to 1,000 monomials of a degree. It has no result where python-flint, the
@@ -64,8 +64,8 @@ def find_casimirs(algebra: AbstractLieAlgebra) -> Found:
             why = str(error).rstrip(".")
             break
     missing = len(casimirs) < wanted
-    said = f"{len(casimirs)} of {wanted} Casimirs are watched: {why}; give others by `casimirs=`" if missing else ""
-    return Found(tuple(casimirs), said)
+    note = f"{len(casimirs)} of {wanted} Casimirs are watched: {why}; give others by `casimirs=`" if missing else ""
+    return PolynomialCasimirs(tuple(casimirs), note)
 
 
 def check_casimirs(algebra: AbstractLieAlgebra, value: Any) -> tuple[Function, ...]:

@@ -17,7 +17,7 @@ from polhode._base.rational.numbers import nearest_double, read_number
 from polhode.algebra._fixed_array import FixedArray
 from polhode.algebra._functions import Function
 from polhode.algebra._own_casimirs import (
-    Found,
+    PolynomialCasimirs,
     check_casimirs,
     check_names,
     evaluate_functions,
@@ -84,15 +84,15 @@ class ConstantsAlgebra(AbstractLieAlgebra):
 
     @cached_property
     def own_casimirs(self) -> tuple[Function, ...]:
-        return self._found.casimirs if self.given is None else self.given
+        return self._polynomials.casimirs if self.given is None else self.given
 
     @property
-    def _found(self) -> Found:
+    def _polynomials(self) -> PolynomialCasimirs:
         return find_casimirs(ConstantsAlgebra(self.constants, None, self.fractions))
 
     @property
     def unwatched(self) -> str:
-        return self._found.unwatched if self.given is None else ""
+        return self._polynomials.unwatched if self.given is None else ""
 
     @property
     def casimir_names(self) -> tuple[str, ...]:
