@@ -32,7 +32,7 @@ def exact_numbers(path: Path, axes: Float64[Array, "3 3"]) -> dict[str, Numbers]
         axes: (3, 3) the principal axes by columns in the given ones.
 
     Raises:
-        InvalidInput: for numbers too large for exact arithmetic.
+        InvalidInput: for numbers out of range of exact arithmetic.
     """
     # numbers without quotes as the text that they are
     tables = tomllib.loads(read_text(path, "spec", LARGEST), parse_float=lambda text: text.replace("_", ""))
