@@ -2,6 +2,7 @@
 
 import json
 import shutil
+from contextlib import nullcontext
 from pathlib import Path
 
 import jaxtyping
@@ -9,10 +10,14 @@ import numpy as np
 import pytest
 
 import polhode as ph
+from polhode import rotation
 from polhode.celestial.tumbling.study import Friction
 from polhode.cli.main import main
 from polhode.errors import InvalidInput
+from polhode.motion._layout import ATTITUDE, StateLayout
+from polhode.motion._trajectory import Trajectory
 from polhode.reports.report import PlainReport
+from polhode.studies import sources
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 PHONE, WATER = EXAMPLES / "phone_throw.csv", EXAMPLES / "water_spectrum.toml"
@@ -265,3 +270,12 @@ def test_data_go_only_where_the_ending_says_what_they_are(tmp_path):
     with pytest.raises(InvalidInput, match=r"must end in \.nc"):
         report.save(tmp_path / "levels.csv")
     assert not list(tmp_path.iterdir()) and report.save(tmp_path / "LEVELS.NC").exists()
+
+
+@pytest.mark.parametrize("factor, refused", [(0.9, False), (1.1, True)])
+def test_two_attitudes_of_one_time_are_equal_up_to_seven_digits(factor, refused):
+    turn = factor * sources.LIMITS.max_attitude_difference
+    attitude = rotation.from_rotation_vector([[0.0, 0.0, 0.0], [0.0, 0.0, turn], [0.0, 0.0, 1.0]])
+    recorded = Trajectory(np.array([0.0, 0.0, 1.0]), attitude, StateLayout((ATTITUDE,)), attitude)
+    with pytest.raises(InvalidInput, match="two attitudes at 0 s") if refused else nullcontext():
+        assert len(sources._history(Path("a.csv"), recorded).times) == 2

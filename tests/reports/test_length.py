@@ -1,5 +1,6 @@
 """Runs that would take far too long are ended as soon as that is known; long ones say so."""
 
+from contextlib import nullcontext
 from pathlib import Path
 
 import diffrax
@@ -186,3 +187,17 @@ def test_adaptive_steps_are_bounded(monkeypatch):
     system, start, times = SpinOrbit(0.5, 0.1), np.array([0.3, 1.1]), np.linspace(0.0, 400.0, 11)
     with pytest.raises(NotConverged, match=r"4\.0e\+01 steps did not reach the last time, 400 s"):
         adaptive.solve_adaptively(system, diffrax.Tsit5(), system.check_state(start), times)
+
+
+@pytest.mark.parametrize("factor", (0.99, 1.01))
+def test_a_run_of_ten_minutes_is_the_longest(factor):
+    times, steps = np.linspace(0.0, 1.0, 2), 1000.0
+    each = factor * length.LIMITS.max_seconds / steps
+    with pytest.raises(InvalidInput, match="some ten minutes") if factor > 1.0 else nullcontext():
+        length.check_length(1.0, times, steps, each, "")
+
+
+@pytest.mark.parametrize("factor", (0.99, 1.01))
+def test_a_run_is_announced_from_five_seconds_on(factor, capsys):
+    length.check_length(1.0, np.linspace(0.0, 1.0, 2), 1000.0, factor * length.LIMITS.long_seconds / 1000.0, "")
+    assert (capsys.readouterr().err != "") == (factor > 1.0)
