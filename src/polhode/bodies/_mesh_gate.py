@@ -42,7 +42,7 @@ def check_mesh(
         repaired: whether it was repaired already, so that no message advises repair.
 
     Raises:
-        InvalidInput: naming the fault and what helps.
+        InvalidInput: naming the fault and the remedy.
     """
     vertices, faces = as_mesh(vertices, faces)
     _check_edges(faces, repaired)

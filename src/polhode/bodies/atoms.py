@@ -52,7 +52,7 @@ def atomic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:
     """Return standard atomic weights [kg] of chemical symbols; the mass number for elements without one.
 
     Raises:
-        InvalidInput: for what is not a chemical element.
+        InvalidInput: for a word that is no chemical element.
 
     Source: Meija et al., Pure Appl. Chem. 88 (2016) 265, as in ASE's tables.
     """
@@ -63,7 +63,7 @@ def isotopic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:
     """Return the masses [kg] of the most common isotopes of chemical symbols, which a spectrum mostly shows.
 
     Raises:
-        InvalidInput: for what is not a chemical element.
+        InvalidInput: for a word that is no chemical element.
 
     Source: Coursey et al., *Atomic Weights and Isotopic Compositions* 4.1 (NIST, 2015), as in ASE's tables.
     """

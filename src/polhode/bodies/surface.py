@@ -43,7 +43,7 @@ class Surface:
         vertices: (n, 3) [m].
         faces: (m, 3) indices of corners, counterclockwise from outside.
         colors: (n,) of corners, as 0xRRGGBB, where parts have colours of their own; None elsewhere.
-        paint: what else a page draws of it; None for nothing.
+        paint: further features for a page; None without any.
     """
 
     vertices: Float64[Array, "n 3"]

@@ -45,7 +45,7 @@ class StrictCommand(TyperCommand):
     """
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Return what the parser of the base class returns.
+        """Return the result of the base class's parser.
 
         Raises:
             InvalidInput: naming the option.

@@ -82,7 +82,7 @@ def keep_compiled() -> None:
 
     for what in ("units", "reports"):
         os.environ.setdefault(f"POLHODE_{what.upper()}_CACHE", str(user_cache_path("polhode") / what))
-    if "JAX_COMPILATION_CACHE_DIR" in os.environ:  # a folder of the user's own, in which JAX keeps what it likes
+    if "JAX_COMPILATION_CACHE_DIR" in os.environ:  # a folder of the user's own, whose content JAX chooses
         return
     # a home that several machines share: they may have different processors
     os.environ.setdefault("POLHODE_COMPILED_CACHE", str(user_cache_path("polhode") / "compiled" / platform.node()))

@@ -41,7 +41,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         code = 128 + stop.number
         _tell(describe_stop(stop.number))
         if arguments is None:
-            # drafts are removed; a compiler's threads go on, and crash where Python takes down what they use
+            # drafts are removed; a compiler's threads go on, and crash where Python frees objects that they use
             os._exit(code)
     if arguments is None:
         for number in SIGNALS:  # while Python ends nothing is left to clean up or to report

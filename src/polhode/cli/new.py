@@ -47,7 +47,7 @@ def run_new(example: str | None, out: Path | None) -> None:
 
 @contextlib.contextmanager
 def _copy_together(wanted: list[Path], folder: Path) -> Iterator[Path]:
-    """Yield a draft folder whose files take the names that are wanted, the spec first, and say what was written."""
+    """Yield a draft folder whose files take the wanted names, the spec first, and print these."""
     if there := [path for path in wanted if path.exists()]:
         raise InvalidInput(f"{there[0]}: is there already, and nothing was copied. Name another folder by --out.")
     with write_together(folder) as draft:

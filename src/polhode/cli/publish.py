@@ -12,7 +12,7 @@ from polhode.errors import InvalidInput
 from polhode.formats.paths import write_together
 from polhode.reports.report import Report
 
-NOT_DETERMINED = 3  # exit code, where a report says that the data do not tell what was asked, or not how well
+NOT_DETERMINED = 3  # exit code for data that do not determine the answer, or not its error
 
 
 def publish(

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 GROUP = "polhode.report-options"
 WriteMore = Callable[["Report", Path], tuple[Sequence[str], Sequence[str]]]
-"""Writes what an option asks for, and returns the names of the files and notes to print."""
+"""Writes the files of an option, and returns their names and notes to print."""
 _PREFIX = "brought_"  # of the names of parameters, so that none is an argument of the command
 _ASKED: ContextVar[Mapping[str, Path]] = ContextVar("asked for by options brought", default=MappingProxyType({}))
 
@@ -45,7 +45,7 @@ class ReportCommand(StrictCommand):
         super().format_options(ctx, formatter)
 
     def invoke(self, ctx: Any) -> Any:
-        """Run the command, during which ``write_more`` knows what was asked for by the options brought."""
+        """Run the command, during which ``write_more`` knows the options that were given."""
         names = {_PREFIX + name.replace("-", "_"): name for name in (*wing_points(GROUP), *self._others())}
         given = {name: ctx.params.pop(key, None) for key, name in names.items()}
         token = _ASKED.set({name: Path(path) for name, path in given.items() if path is not None})

@@ -76,7 +76,7 @@ codecs.register_error(HANDLER, _replace_unencodable)
 
 @contextlib.contextmanager
 def readable_output() -> Iterator[None]:
-    """Let standard output and error write in ASCII what their encoding cannot hold, for as long as this lasts."""
+    """Let standard output and error write characters beyond their encoding in ASCII, within this context."""
     before = []
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # there may be none, or something in its place

@@ -32,7 +32,7 @@ def make_attitude(
         path: for messages.
         table: for the numbers of lines.
         values: the columns of the attitude.
-        mapping: what they are.
+        mapping: their meaning.
         letters: the order of a quaternion's columns, or of a matrix's entries.
         angle_unit: of Euler angles.
 

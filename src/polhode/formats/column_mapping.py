@@ -1,4 +1,4 @@
-"""The mapping that says what the columns of a plain table are, in the words of ``polhode import``.
+"""The mapping that gives the columns of a plain table their meaning, in the words of ``polhode import``.
 
 Nothing is assumed that would change the motion: units, the place of a quaternion's scalar and the sequence of Euler
 angles must be given, here or by the names of the columns.

@@ -16,7 +16,7 @@ TIME_UNITS = {
     "d": ("day", "days"),
 }
 CALENDARS = ("mjd", "jd", "gps", "unix", "unix-ms", "unix-us", "unix-ns", "gmat")
-"""Ways to count time from a calendar day, beside dates written out, which show what they are."""
+"""Ways to count time from a calendar day, besides dates written out, which need no name."""
 ANGLE_UNITS = {"deg": ("°", "degs", "degree", "degrees"), "rad": ("rads", "radian", "radians")}
 RATE_UNITS = {
     "deg/s": ("°/s", "deg/sec", "degree/s", "degrees/s", "degrees/sec", "dps", "deg s-1", "deg s^-1", "deg_s",

@@ -32,7 +32,7 @@ LIMITS = ArchiveLimits()
 
 
 def names_its_unit(path: str | Path) -> bool:
-    """Return whether mesh files of this ending say what their unit is."""
+    """Return whether mesh files of this ending name their unit."""
     return Path(path).suffix.lower().lstrip(".") in MODULES
 
 

@@ -63,7 +63,7 @@ def content_digest(path: Path) -> str:
     """Return the SHA-256 of a file's content, "" where there is none; it is read again only when it was written.
 
     Raises:
-        InvalidInput: for what is not a regular file or may not be read.
+        InvalidInput: for a path that is no regular file or may not be read.
     """
     try:
         status = path.stat()
@@ -116,7 +116,7 @@ def open_file(path: Path, kind: str, limit: int | None = None) -> BinaryIO:
     """Open a regular file to read its bytes.
 
     Raises:
-        InvalidInput: for what is missing, not a regular file, or may not be read.
+        InvalidInput: for a file that is missing, not regular, or may not be read.
         FormatError: for a file that is too large.
     """
     check_is_file(path, kind, limit)
@@ -159,7 +159,7 @@ def read_file(path: Path, kind: str, limit: int) -> bytes:
     """Return the bytes of a regular file.
 
     Raises:
-        InvalidInput: for what is missing, not a regular file, or cannot be read.
+        InvalidInput: for a file that is missing, not regular, or cannot be read.
         FormatError: for a file that is too large.
     """
     with open_file(path, kind, limit) as file:
@@ -173,7 +173,7 @@ def read_text(path: Path, kind: str, limit: int) -> str:
     """Return the text of a regular file in UTF-8, without a byte-order mark, line ends as they are.
 
     Raises:
-        InvalidInput: for what is missing, not a regular file, or cannot be read.
+        InvalidInput: for a file that is missing, not regular, or cannot be read.
         FormatError: for a file that is too large, or not text.
     """
     try:

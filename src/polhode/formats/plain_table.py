@@ -43,7 +43,7 @@ def table_form(path: Path) -> TableForm:
     """Return the form of a table.
 
     Raises:
-        InvalidInput: for what is missing, not a regular file, or cannot be read.
+        InvalidInput: for a file that is missing, not regular, or cannot be read.
         FormatError: for a file that is not text, or not a table.
     """
     return detect_form(path, first_lines(path))

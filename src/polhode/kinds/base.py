@@ -308,7 +308,7 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         return resources.files(import_module(module).__package__ or module)
 
     def surface(self, spec: Spec) -> Surface | None:
-        """Return what the body looks like, in the given axes; None where only moments are known.
+        """Return the body's surface, in the given axes; None where only moments are known.
 
         Raises:
             InvalidInput: if a file that the body came from is gone since.
@@ -348,7 +348,7 @@ class Spec(Generic[TableT]):
         source: the table that describes the body; None where the system has sizes of its own.
         folder: that relative paths start from.
         instants: times [s], zero first, in place of equal steps up to ``until``, their last.
-        body_notes: sentences on how the body was made: what was repaired or rounded.
+        body_notes: sentences on how the body was made: repairs and rounding.
         plugins: parts of other packages that it names: kinds, torques, mounts and laws.
     """
 

@@ -115,7 +115,7 @@ def _page_of_any_report(report: Report, name: str, surface: Surface | None) -> P
 
 
 def page_of_report(report: SystemReport, path: str | Path, *, surface: Surface | None = None) -> Path:
-    """Write the page of a report, with what the report says.
+    """Write the page of a report, with the report's text.
 
     Args:
         report: any.

@@ -233,7 +233,7 @@ def _build_body(
         if "density" in raw and clean(("body", "density")):
             kept |= {"density": raw["density"]}
         _, faults = _attempt(kept, path, alone) if alone else (None, [])
-        return None, [fault for fault in faults if len(fault[0]) > 1]  # not what the parts are together
+        return None, [fault for fault in faults if len(fault[0]) > 1]  # not the parts together
     if len(sources) != 1 or not clean(("body", sources[0])):
         return None, []
     kept = {key: value for key, value in raw.items() if key in known_keys(BodyTable) and clean(("body", key))}

@@ -41,7 +41,7 @@ class Watch:
     Args:
         until: end of the run as the spec gives it [s], None where it leaves it out.
         times: (T,) [s] of its samples.
-        remedy: what helps, other than a shorter time.
+        remedy: one besides a shorter time.
         runs: time of the run and of the further runs that estimate its error, over that of the run alone.
     """
 
@@ -109,7 +109,7 @@ def check_length(
         times: (T,) [s]; there is a step to each at least.
         steps: about how many there will be.
         each: how long one takes [s].
-        remedy: what helps, other than a shorter time.
+        remedy: one besides a shorter time.
 
     Returns:
         Whether to show progress: the run is long, and standard error is a terminal.

@@ -102,7 +102,7 @@ def build_part(part: PartTable, density: float | None, folder: Path, read_body: 
 
     Raises:
         InvalidInput: for measures that do not fit each other.
-        FormatError: for files that are not what they should be.
+        FormatError: for files of another format.
     """
     turn, place = turn_of(part), np.asarray(part.at)
     if part.spec is not None:

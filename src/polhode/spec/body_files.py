@@ -41,7 +41,7 @@ def read_body_file(key: str, path: Path, link: str | None, joints: Pose | None, 
     Raises:
         InvalidInput: if the file is missing, it is open which body is meant, or the format of another package cannot
             be imported.
-        FormatError: if it is not what it should be, whatever a reader of another package raises.
+        FormatError: for a file of another format, and any error of another package's reader.
     """
     if key in wing_points(GROUP):
         return _read(wing_points(GROUP)[key].load(), path, link, joints, digits)

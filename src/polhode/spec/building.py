@@ -33,7 +33,7 @@ def build_body(table: BodyTable, folder: Path, file: Path | None = None) -> Buil
 
     Raises:
         InvalidInput: for values that no body has.
-        FormatError: for files that are not what they should be.
+        FormatError: for files of another format.
     """
     return _Files().build(table, folder, () if file is None else (file.resolve(),))
 

@@ -1,4 +1,4 @@
-"""The types of value in a spec: each converts to SI, and its error says what is expected."""
+"""The types of value in a spec: each converts to SI, and its error gives the expected form."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ LIMITS = OverlapLimits()
 
 
 def notes_on_places(parts: Sequence[PartTable], density: float | None, folder: Path) -> tuple[str, ...]:
-    """Return a sentence for each pair of parts placed so that their sum is probably not what was meant.
+    """Return a sentence for each pair of parts placed so that their sum is probably not the intended body.
 
     Args:
         parts: of a body.

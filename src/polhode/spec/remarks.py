@@ -1,4 +1,4 @@
-"""Remarks for the reader of a report: how numbers of a spec were understood, and what was assumed."""
+"""Remarks for the reader of a report: how numbers of a spec were understood, and which assumptions were made."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LIMITS = RemarkLimits()
 
 
 def remarks_on(body: Body | None, spin: SpinTable | None) -> tuple[str, ...]:
-    """Return a sentence or two on what was assumed of a body and its spin."""
+    """Return a sentence or two on the assumptions about a body and its spin."""
     remarks = remarks_on_body(body)
     if spin is not None and spin.temperature is not None:
         remarks += (_of_temperature(body, spin.temperature),)
@@ -26,7 +26,7 @@ def remarks_on(body: Body | None, spin: SpinTable | None) -> tuple[str, ...]:
 
 
 def remarks_on_body(body: Body | None) -> tuple[str, ...]:
-    """Return what was assumed of a body."""
+    """Return a sentence on the assumptions about a body."""
     if body is None or body.inertial_defect <= 0.0:
         return ()
     from polhode.bodies.atoms import ANGSTROM, ATOMIC_MASS_UNIT

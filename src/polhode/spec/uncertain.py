@@ -44,7 +44,7 @@ def uncertain(name: str, measured: Uncertain, unit: str, bare: bool = False) -> 
         bare: whether a text may go without a unit.
 
     Raises:
-        InvalidInput: for what cannot be read, and for numbers that are not positive and finite.
+        InvalidInput: for text that cannot be read, and for numbers that are not positive and finite.
     """
     if isinstance(measured, str):
         value, error = _read_value(name, measured, unit, bare)

@@ -63,7 +63,7 @@ class Page(NamedTuple):
 
     Attributes:
         title: of the motion.
-        data: what its script reads.
+        data: for its script.
         scripts: of panels that the page's own script does not know.
     """
 
@@ -127,7 +127,7 @@ def make_playground(presets: Sequence[tuple[Page, dict[str, Any]]]) -> Page:
     """Return the content of a page of many motions, which shows one at a time.
 
     Args:
-        presets: each motion, with what the page says of it: key, title and story.
+        presets: each motion, with its key, title and story.
     """
     scripts = tuple(dict.fromkeys(script for page, _ in presets for script in page.scripts))
     return Page("polhode: a playground", {"presets": [page.data | words for page, words in presets]}, scripts)

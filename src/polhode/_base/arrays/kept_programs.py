@@ -13,11 +13,11 @@ from typing import NamedTuple
 
 from polhode._base.seals import drop_oldest, read_sealed, write_sealed
 
-FOLDER = "POLHODE_COMPILED_CACHE"  # in the environment: where a command keeps what JAX compiles
+FOLDER = "POLHODE_COMPILED_CACHE"  # environment variable: the folder for programs that JAX compiles
 
 
 class CacheLimits(NamedTuple):
-    """Numbers beyond which what was not used for the longest time is dropped."""
+    """Numbers beyond which the entries that were not used for the longest time are dropped."""
 
     max_bytes: int = 300_000_000  # of all that is kept
     max_entries: int = 100_000

@@ -14,7 +14,7 @@ from polhode._base.arrays.namespaces import is_foreign, is_jax, is_traced, names
 def barrier(values: Any) -> Any:
     """Have XLA finish a nest of tuples of arrays before it goes on; return arrays that are not traced as they are.
 
-    When XLA on the CPU fuses a stack with what its parts share, it recomputes the shared values for every part, and so
+    When XLA on the CPU fuses a stack with the values that its parts share, it recomputes these for every part, and so
     on down: the cost grows exponentially with the length of the computation. An optimization barrier does not help,
     because XLA for CPU removes it before it fuses. A loop it cannot see through stays.
     """
