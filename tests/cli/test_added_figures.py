@@ -4,6 +4,7 @@ import contextlib
 import io
 import json
 import pickle
+from importlib.metadata import EntryPoint
 
 import pytest
 from matplotlib.figure import Figure
@@ -111,3 +112,16 @@ def test_one_may_have_nothing_to_draw(capsys, add_entry_points):
 def test_nothing_is_imported_before_it_is_drawn(add_entry_points):
     add_entry_points(added_figures.GROUP, ("free-body.bad", "nowhere:draw"))
     assert list(read_spec("box.toml").report().figures()) == [*OWN, "spin_rate", "bad"]
+
+
+def test_one_of_a_wing_is_taken_from_its_table_and_its_mistakes_are_ours(monkeypatch):
+    points = {f"free-body.{name}": EntryPoint(f"free-body.{name}", f"{__name__}:{name}", added_figures.GROUP)
+              for name in ("give_nothing", "fail")}  # fmt: skip
+    monkeypatch.setattr(added_figures, "wing_points", lambda group: points)
+    added_figures.added_figures.cache_clear()
+    report = read_spec("box.toml").report()
+    assert list(report.figures()) == [*OWN, "give_nothing", "fail", "spin_rate"]
+    assert report.figure("give_nothing") is None
+    with pytest.raises(ZeroDivisionError):
+        report.figure("fail")
+    added_figures.added_figures.cache_clear()
