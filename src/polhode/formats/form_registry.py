@@ -57,7 +57,7 @@ def writable_names() -> list[str]:
 
 def extra_of(name: str) -> str | None:
     """Return the extra that a form of polhode's own needs, None where the application has all."""
-    return _own()[name].told.get("extra") if name in _own() else None
+    return _own()[name].table.get("extra") if name in _own() else None
 
 
 def _is_written(one: _Listed) -> bool:
