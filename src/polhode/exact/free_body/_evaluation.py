@@ -66,11 +66,11 @@ def _state_jacobian(*arguments: Array) -> tuple[tuple[Array, Array], Array]:
 
     value = _state(*arguments)
 
-    def columns(moments: Array, momentum: Array, attitude: Array, time: Array, *now: Array) -> Array:
+    def columns(moments: Array, momentum: Array, attitude: Array, time: Array, q: Array, L: Array) -> Array:
         xp = namespace(time)
         d_moments, d_momentum, d_attitude, d_time = units(xp, time.shape, (3, 3, 4, 1))
         changes = d_moments, d_momentum, d_attitude, d_time[..., 0]
-        tangents = state_tangent((moments, momentum, attitude, time), now, changes)
+        tangents = state_tangent((moments, momentum, attitude, time), (q, L), changes)
         tangents = xp.moveaxis(xp.concat(tangents, axis=-1), 0, -1)
         return xp.concat([tangents, xp.zeros_like(tangents[..., :1])], axis=-1)
 
