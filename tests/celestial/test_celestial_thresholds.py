@@ -115,7 +115,7 @@ def test_windows_that_lack_samples():
     ({"whiteness": 0.0099}, "is correlated"), ({"whiteness": 0.0101}, None),
 ])  # fmt: skip
 def test_notes_of_a_report(change, words):
-    """Periods of two estimates with errors of 3 d and 4 d are apart by so many times 5 d."""
+    """Periods of two estimates with errors of 3 d and 4 d differ by a multiple of 5 d."""
     values = {"energy_ratio": 0.0, "apart": 0.0, "whiteness": 0.5, **change}
     estimate = lambda period, error: SimpleNamespace(value=[period], standard_error=[error])  # noqa: E731
     report = SimpleNamespace(

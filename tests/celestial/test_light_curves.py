@@ -1,4 +1,4 @@
-"""Light of ellipsoids against quadrature over what is lit and seen, and frequencies against long light curves."""
+"""Light of ellipsoids against quadrature over the lit and visible part, and frequencies against long light curves."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""What polar motion says of the wobble: true values within the errors, published numbers for the Earth's."""
+"""The wobble estimated from polar motion: true values within the errors, published numbers for the Earth's."""
 
 import numpy as np
 import pytest
@@ -132,7 +132,7 @@ def test_the_likelihood_is_that_of_a_dense_covariance():
         lag = t[:, None] - t
         kernel = np.exp(-decay * abs(lag) + 1j * (2 * np.pi / (p[0] * 433 * DAY) - rate) * lag) / (2 * decay * step)
         dense = kernel.reshape(count, 200, count, 200).mean(axis=(1, 3)) + np.exp(p[2]) * np.eye(count)
-        basis = np.linalg.svd(data[:, 1:])[0][:, 1:]  # what is orthogonal to the annual term
+        basis = np.linalg.svd(data[:, 1:])[0][:, 1:]  # the complement of the annual term
         inside, seen = basis.conj().T @ dense @ basis, basis.conj().T @ data[:, 0]
         scale = (seen.conj() @ np.linalg.solve(inside, seen)).real / len(seen)
         both = 0.5 * scale * np.block([[inside.real, -inside.imag], [inside.imag, inside.real]])

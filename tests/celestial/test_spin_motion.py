@@ -79,7 +79,7 @@ def test_verdicts_on_growth_made_by_hand():
     wave = 2.0 * np.sin(0.01 * orbits)
     assert [_verdict(line + x) for x in (0.0, 3.0, wave)] == ["regular"] * 3
     assert [_verdict(x) for x in (0.1 * orbits, line + 3 * late, 0.005 * orbits + line)] == ["chaotic"] * 3
-    # seen to grow, but not for long enough; or much, and then no more
+    # growing, but not for long enough; or much, and then no more
     assert [_verdict(line + x) for x in (late, 12.0)] == ["undecided"] * 2
 
 

@@ -1,4 +1,4 @@
-"""Reports on spins on eccentric orbits: numbers by other ways, words, figures, files, and what is refused."""
+"""Reports on spins on eccentric orbits: numbers by other ways, words, figures, files, and refusals."""
 
 import json
 

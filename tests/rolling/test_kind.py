@@ -96,7 +96,7 @@ def test_how_a_disk_ends(ended):
     assert law["power"] == pytest.approx(2e-7 * 4 * G / (A * math.sin(TILT)), rel=FORMULA)
     assert down["energy_balance"] < BALANCE and values["drift"]["energy"] < BALANCE
     assert 0.19 < values["normal_force_minimum_of_weight"] < 0.5
-    # what is left is that of its fall about the rim
+    # the rest is that of its fall about the rim
     assert 0.0 < values["end_energy"] < 0.03 * values["start"]["energy"] and values["status"] == "flat"
     assert ended.notes == [] and "lies flat after 1.50" in values["summary"]
     text = str([group.cells if isinstance(group, Table) else group.lines for group in ended.answers])

@@ -52,7 +52,7 @@ def test_each_law_has_its_exponent(law, coefficient, exponent, decades):
     assert abs(found.tilt.exponent / exponent - 1) < 0.01
     assert abs(found.precession.exponent / (-exponent / 2) - 1) < 0.01
     assert abs(found.precession_by_tilt.exponent + 0.5) < 0.005
-    # what is stated of the uncertainty covers the truth
+    # the stated uncertainty covers the truth
     for fit, wanted in ((found.tilt, exponent), (found.precession, -exponent / 2), (found.precession_by_tilt, -0.5)):
         assert abs(fit.exponent - wanted) < 4 * fit.uncertainty < 0.04
     # energy alone foretells the end but for corrections of the order of the tilt
@@ -88,7 +88,7 @@ def test_laws_add_up():
     slopes = np.diff(np.log(tilt[inside])) / np.diff(np.log(times[inside]))
     assert slopes[0] > 1.0 > 0.75 > slopes[-25:-15].mean()
     assert abs(found.end / adiabatic_end(disk, 0.05) - 1) < 0.01
-    # fitted where air takes four fifths of the power: its own exponent, within twice what is stated
+    # fitted where air takes four fifths of the power: its own exponent, within twice the stated uncertainty
     assert abs(found.tilt.exponent - 1 / 3) < 2 * found.tilt.uncertainty < 0.05
     assert abs(found.unspun_by_tilt.exponent + 0.5) < 2 * found.unspun_by_tilt.uncertainty + 1e-3
     assert found.energy_balance < BALANCE

@@ -1,4 +1,4 @@
-"""The rolling disk: Newton's and Euler's laws, what it keeps and loses, how it starts and ends."""
+"""The rolling disk: Newton's and Euler's laws, conserved quantities and losses, starts and ends."""
 
 import equinox as eqx
 import jax
@@ -111,7 +111,7 @@ def test_each_law_takes_its_power(law):
     state = disk.rolling_state(0.1)
     wanted = law.power(disk.mechanics, state[0], jnp.abs(disk.precession(state)))
     assert abs(float(disk.power(state) / wanted) - 1) < 1e-14
-    # where what it brakes stands still, it brakes nothing and stays finite
+    # where the braked rate is zero, the couple is zero and finite
     still = state.at[7].set(state[6] * (-jnp.tan(0.1) if law.vertical else 1.0 / jnp.tan(0.1)))
     assert float(disk.power(still)) < 1e-20 and np.isfinite(disk.vector_field(jnp.zeros(()), still)).all()
 

@@ -62,7 +62,7 @@ ZERO = [mp.mpf(0)] * 3
 
 @dataclass
 class Piece:
-    """A rigid body of a part, seen from the hub: mass, place, velocity, acceleration but for q̈, ∂r/∂q; and turning."""
+    """A rigid body of a part in the hub's axes: mass, place, velocity, acceleration but for q̈, ∂r/∂q; and turning."""
 
     mass: Any
     place: list
@@ -210,7 +210,7 @@ class Gyroscope:
 
 @dataclass
 class Hub:
-    """All together: mass, centre and inertia about it with the parts at rest, what is in it, and what acts on it.
+    """All together: mass, centre and inertia about it with the parts at rest, its parts, and torques on it.
 
     Attributes:
         push: (force, place) of t, along the hub's axes; None for none.
@@ -259,7 +259,7 @@ class Hub:
             start += part.count
         size = 6 + count
         matrix, right = mp.zeros(size), mp.zeros(size, 1)
-        if self.burn is not None:  # a body of negative mass, for what is no longer there
+        if self.burn is not None:  # a body of negative mass, for the propellant that has left
             lost = numbers(self.burn[0]) * t
             inertia = [scale(-lost, row) for row in numbers(self.burn[4])]
             gone = Piece(-lost, numbers(self.burn[1]), ZERO, ZERO, [], inertia, ZERO, ZERO, [])

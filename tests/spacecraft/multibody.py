@@ -40,7 +40,7 @@ class Hub:
     torque: object = field(default=lambda t, turn, velocity: np.zeros(3))
 
     def alone(self):
-        """The inertia of the hub without what is in it."""
+        """The inertia of the hub without its parts."""
         still = sum((wheel.inertia(np.eye(3)) for wheel in self.wheels), self.ball * np.eye(3))
         return self.locked - still
 

@@ -68,7 +68,7 @@ def test_axes_of_space_may_be_turned():
 
 
 def test_a_free_body_repeats_itself_but_for_a_turn_of_space():
-    """After each period of the polhode the motion is the same, turned about L."""
+    """After each period of the polhode the motion repeats, rotated about L."""
     with pytest.raises(InvalidInput, match="ambiguous"):
         align_clocks(exactly(TUMBLE), seen(TUMBLE, 8.4, 1e-3, space=(0.0, 0.0, 2.0)))
 

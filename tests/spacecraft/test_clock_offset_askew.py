@@ -42,7 +42,7 @@ def known(body):
 
 
 def log(body, seed, askew=0.0, space=0.0, lasting=None):
-    """A log with noise of axes turned at random [rad, each axis], and when it began."""
+    """A log with noise of axes rotated at random [rad, each axis], and when it began."""
     random = np.random.default_rng(seed)
     length = random.uniform(10.0, 25.0) if lasting is None else lasting
     start = random.uniform(0.0, SPANNED - length)
@@ -54,7 +54,7 @@ def log(body, seed, askew=0.0, space=0.0, lasting=None):
 
 
 def pulls(body, count, **how):
-    """Errors of offsets, of what each says of itself."""
+    """Errors of offsets over their stated standard errors."""
     exact, found = known(body), []
     for seed in range(count):
         seen, start = log(body, seed, **how)
@@ -134,7 +134,7 @@ def repeating():
 
 
 def test_several_offsets_are_listed_all(repeating):
-    """Four of seven were listed, to six digits of what may be two million, without the right one."""
+    """Four of seven were listed, to six digits of perhaps two million, without the right one."""
     seen, start = repeating
     with pytest.raises(InvalidInput, match=r"ambiguous.* (\d+) offsets fit nearly as well as each other") as caught:
         align_clocks(known(TUMBLING), seen)
@@ -155,7 +155,7 @@ def test_about_where_it_lies_decides(repeating):
 
 
 def test_a_list_that_is_cut_says_so():
-    """Of a spin that turns hundreds of times, twelve are looked at; the nearest to what is said are among them."""
+    """Of a spin that turns hundreds of times, twelve are refined; the nearest to the given one are among them."""
     body = (1.0, 2.0, 3.0), (0.0, 0.0, 20.0)
     motion = FreeMotion(body[0], angular_velocity=body[1], attitude=tuple(BEGIN))
     times = np.arange(0.0, 20.0, 0.01)

@@ -1,4 +1,4 @@
-"""``polhode import`` and ``polhode compare`` on files of every kind, and on what is none."""
+"""``polhode import`` and ``polhode compare`` on files of every kind, and on others."""
 
 import json
 import shutil
@@ -285,7 +285,7 @@ def test_what_a_file_does_not_tell_is_not_made_up(files, capsys):
     labels = read_dataset("box_imported.nc").source.labels
     assert (labels.object_id, labels.originator, labels.spice_id) == (None, None, -321)
     assert "1900-000A" not in run(["import", "box.bc"], capsys)[1]
-    assert values_of(["import", "box.aem"], capsys)["object_id"] == "1900-000A"  # as it stands there
+    assert values_of(["import", "box.aem"], capsys)["object_id"] == "1900-000A"  # as the file has it
     labels = read_dataset("box_imported.nc").source.labels
     assert (labels.object_id, labels.originator, labels.spice_id) == ("1900-000A", "POLHODE", None)
     assert write_ck(read_aem("box.aem"), "on.bc")[0].is_file() and "_999 " in (files / "on.tsc").read_text()

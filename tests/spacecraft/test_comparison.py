@@ -26,7 +26,7 @@ def exact(times=TIMES):
 
 
 def disturbed(body, space, rate, times=TIMES):
-    """Return the motion, turned by constants of the body and of space, space turning on at a rate."""
+    """Return the motion, rotated by constants of the body and of space, space turning on at a rate."""
     turning = rotation.from_rotation_vector(np.asarray(rate) * (times - times[0])[:, None])
     turned = rotation.multiply(rotation.multiply(turning, rotation.from_rotation_vector(space)), MOTION.attitude(times))
     return AttitudeHistory("disturbed", times, rotation.multiply(turned, rotation.from_rotation_vector(body)))

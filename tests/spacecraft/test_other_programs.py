@@ -149,7 +149,7 @@ def values_of(capsys, *arguments):
     return json.loads(out)
 
 
-FITTED = ("px4", "ardupilot", "42")  # to the end; of the others it is seen that the same attitudes arrive
+FITTED = ("px4", "ardupilot", "42")  # to the end; of the others the attitudes are compared
 
 
 class Arrived(Exception):

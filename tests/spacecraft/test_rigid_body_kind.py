@@ -246,7 +246,7 @@ def test_a_sweep_takes_no_more_answers_than_its_outputs(tmp_path, monkeypatch):
 
 
 def test_the_motor_of_a_wheel_of_constant_rate_turns_it_with_the_body(tmp_path):
-    """J a·Ω̇ by hand: the body gains speed about x alone, the wheel stands at 60 degrees to it."""
+    """J a·Ω̇ by hand: the body gains speed about x alone, the wheel is at 60 degrees to it."""
     text = HEAD + '[body]\nmoments = ["2 kg*m^2", "2 kg*m^2", "2 kg*m^2"]\n' + (
         '[[wheel]]\naxis = [0.5, 0, 0.8660254037844386]\nmoment = "0.01 kg*m^2"\nrate = "0 rad/s"\n'
         'drive = "constant-rate"\n[[torque]]\ntype = "constant"\ntorque = ["0.4 N*m", "0 N*m", "0 N*m"]\n'
@@ -458,7 +458,7 @@ def test_a_slew_the_longer_way_is_said(tmp_path, sign):
 
 @pytest.mark.long
 def test_a_rotor_that_the_body_carries_past_its_limit_is_said(tmp_path):
-    """The body is turned against the rotor, whose motor gives nothing at max_rate: σ = σ₀ + M t/(I − J)."""
+    """The body turns against the rotor, whose motor gives nothing at max_rate: σ = σ₀ + M t/(I − J)."""
     text = (
         'system = "rigid-body"\n[body]\nmoments = ["0.2 kg*m^2", "0.2 kg*m^2", "0.2 kg*m^2"]\n[spin]\n'
         'angular_velocity = ["0 rad/s", "0 rad/s", "0 rad/s"]\n[[wheel]]\naxis = [0, 0, 1]\nmoment = "1e-3 kg*m^2"\n'

@@ -107,7 +107,7 @@ SDF = """<sdf version="1.9"><model name="arm">
 
 
 def test_sdf_by_products_of_matrices(saved):
-    """Each link's place at zero, then the joints above it turned or moved in the model."""
+    """Each link's place at zero, then the joints above it rotated or moved in the model."""
     base = homogeneous(Rotation.from_euler("xyz", [0, 0, 0.3]), (0, 0, 1))
     arm = base @ homogeneous(Rotation.from_euler("xyz", [0, 0.4, 0]), (0.5, 0, 0))
     hand = arm @ homogeneous(Rotation.from_euler("xyz", [90, 0, 0], degrees=True), (0, 0, 0.6))

@@ -33,7 +33,7 @@ def furnished():
 
 
 def errors_by_spice(trajectory, labels, bits=40):
-    """Return the largest errors of what SPICE says at the samples, in attitude [rad] and angular velocity."""
+    """Return the largest errors of SPICE's values at the samples, in attitude [rad] and angular velocity."""
     wrong = []
     number = 1000 * labels.spice_id
     for k, t in enumerate(trajectory.times):

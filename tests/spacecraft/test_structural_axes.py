@@ -1,4 +1,4 @@
-"""A body in its given axes against the same body along its principal axes, with everything on it turned by hand."""
+"""A body in its given axes against the same body along its principal axes, with everything on it rotated by hand."""
 
 import jax.numpy as jnp
 import numpy as np
@@ -46,7 +46,7 @@ class Push(AbstractTorque):
 
 
 def motor(axes):
-    """What a user writes for the given axes; for others his function is told of these."""
+    """A user's function for the given axes; for others it gets these."""
     given = axes.T
 
     def turning(t, attitude, angular_velocity, rate):
@@ -84,7 +84,7 @@ def starts(**more):
 def test_states_are_along_the_principal_axes():
     own, same = (np.asarray(x) for x in starts())
     assert np.abs(own[:8] - same[:8]).max() < ROUNDING
-    assert np.abs(own[8:11] @ AXES - same[8:11]).max() < ROUNDING  # the slug's own stands along the given axes
+    assert np.abs(own[8:11] @ AXES - same[8:11]).max() < ROUNDING  # the slug's own state is along the given axes
     given = GIVEN.pack(ATTITUDE, momentum=BODY.inertia @ VELOCITY + 0.2 * 4.0 * AXIS + 0.2 * SLUG, rates=[4.0, SLUG])
     assert np.abs(np.asarray(given) - own).max() < ROUNDING
 
