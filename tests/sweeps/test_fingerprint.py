@@ -251,7 +251,7 @@ def test_every_library_that_computes_is_told(tmp_path):
                 imported |= {name.partition(".")[0] for name in names}
     others = imported - sys.stdlib_module_names - {"polhode"}
     silent = {"matplotlib", "IPython", "lazy_loader", "dask", "distributed", "filelock", "astropy_iers_data", "SALib",
-              "spiceypy", "flint", "z3", "networkx", "tqdm", "jaxtyping"}  # fmt: skip
+              "spiceypy", "flint", "z3", "networkx", "tqdm", "jaxtyping", "typer", "typing_extensions"}  # fmt: skip
     told = {name.replace("-", "_") for name in COMPUTED_BY}
     assert others - silent - told == set()
 
