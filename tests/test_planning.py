@@ -61,7 +61,7 @@ def test_a_plan_moves_nothing(monkeypatch):
     def refuse(*arguments):
         raise AssertionError("a plan does not run")
 
-    monkeypatch.setattr("polhode.taylor.runs.fly", refuse)
+    monkeypatch.setattr("polhode.taylor.runs._advance_through", refuse)
     assert ph.plan(TOP, START, TIMES).method == "Taylor"
     with pytest.raises(AssertionError, match="does not run"):
         ph.simulate(TOP, START, TIMES)

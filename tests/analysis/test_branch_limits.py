@@ -100,7 +100,7 @@ def stub(value=0.0, vector=(0.0, 0.0, 1.0), along=0.0, exponents=(0.0,), negativ
                            np.array(exponents, complex), 1e-9)  # fmt: skip
 
 
-def test_a_fold_has_its_extreme_or_no_part_along_the_parameter():
+def test_a_fold_has_its_extreme_or_no_part_along_the_parameter(any_type):
     atlas = continuation._Atlas(None, [], [], [])
     assert atlas._turns(stub(0.0), stub(0.2, along=0.5), stub(0.1))
     assert not atlas._turns(stub(0.0), stub(1.0, along=0.5), stub(2.0))
@@ -117,7 +117,7 @@ def test_a_family_of_equilibria_has_a_neighbourhood(value, off, inside):
 
 
 @pytest.mark.parametrize(("imaginary", "kind"), [(1.1e-6, "Hamiltonian Hopf"), (0.9e-6, "exchange")])
-def test_exponents_that_oscillate_make_a_hopf_bifurcation(imaginary, kind):
+def test_exponents_that_oscillate_make_a_hopf_bifurcation(imaginary, kind, any_type):
     path = [stub(), stub(1.0, exponents=[1.0 + 1j * imaginary])]
     assert [name for name, _ in continuation._exchanges(SimpleNamespace(between=lambda *_: None), path)] == [kind]
 
@@ -133,7 +133,7 @@ def test_another_branch_must_leave_the_value_where_it_begins(monkeypatch, depart
 
 
 @pytest.mark.filterwarnings("error")
-def test_there_is_a_number_of_branches():
+def test_there_is_a_number_of_branches(any_type):
     atlas = continuation._Atlas(None, [[]] * 63, [], [])
     atlas.add([])
     assert len(atlas.paths) == 64

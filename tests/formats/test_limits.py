@@ -39,7 +39,7 @@ def refuses(refused, *, match=None, error=FormatError):
 def test_quaternions_of_files_are_of_unit_length(factor):
     attitude = np.array([[1.0 + factor * attitude_checks.LIMITS.max_norm_error, 0.0, 0.0, 0.0]])
     with refuses(factor > 1.0, match="unit quaternion"):
-        attitude_checks.check_recorded("a.nc", np.zeros(1), attitude)
+        attitude_checks.check_recorded(Path("a.nc"), np.zeros(1), attitude)
 
 
 @pytest.mark.parametrize("digits", (0, 1))

@@ -167,7 +167,7 @@ def inertia_of(values, errors):
     return type("Inertia", (), {"ratios": one})()
 
 
-def test_a_body_misses_the_triangle_inequality_by_errors_alone():
+def test_a_body_misses_the_triangle_inequality_by_errors_alone(any_type):
     for factor in (INSIDE, OUTSIDE):
         excess = factor * doubts.LIMITS.max_errors * 0.01
         assert (doubts.why_impossible(inertia_of([0.4, 0.6 - excess], [0.01, 0.0])) is None) == (factor < 1.0)
@@ -182,7 +182,7 @@ def solution_at(**parameters):
     return type("Solution", (), {"parameters": x, "model": model})()
 
 
-def test_fits_end_at_bounds_within_their_thresholds():
+def test_fits_end_at_bounds_within_their_thresholds(any_type):
     limits, low = search.LIMITS, throw_fit.PARAMETER_BOUNDS["drag"][0][0]
     assert search.find_bound(solution_at()) is None
     for factor in (INSIDE, OUTSIDE):
@@ -217,7 +217,7 @@ def test_fast_rates_are_refused_of_a_round_body():
             assert ("beyond what gyros can tell" in said) == (factor > 1.0 and roundness > 1.0)
 
 
-def test_rivals_and_handicaps():
+def test_rivals_and_handicaps(any_type):
     def fitted(aicc, forces):
         model = throw_fit.Model(forces, False, 1, 0.01)
         return type("Solution", (), {"aicc": aicc, "model": model})()

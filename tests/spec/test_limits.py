@@ -58,7 +58,7 @@ def test_numbers_of_newer_kinds_are_within_reach():
 def test_parts_have_one_density_up_to_decimal_digits(spread, common):
     parts = [PartTable(shape="box", size=["1 m"] * 3, density="1000 kg/m^3")] * 2
     higher = 1000.0 * (1.0 + spread * assembly.LIMITS.relative_spread)
-    built = [assembly.BuiltPart(None, density, ()) for density in (1000.0, higher)]
+    built = {k: assembly.BuiltPart(None, density, ()) for k, density in enumerate((1000.0, higher))}
     assert assembly._common_density(parts, built) == common
 
 

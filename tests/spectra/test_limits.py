@@ -106,7 +106,7 @@ def test_levels_that_fall_below_the_ground_state():
         assert find_fallen(J, energy).any() == fallen
 
 
-def test_a_body_is_linear_below_a_moment():
+def test_a_body_is_linear_below_a_moment(any_type):
     class Body:
         principal_moments = np.ones(3)
 

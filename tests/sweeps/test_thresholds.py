@@ -73,7 +73,7 @@ def test_words_are_outputs_and_sentences_are_not():
         evaluation._answer_column("regime", {"regime": "w" * (most + 1)}, {})
 
 
-def test_quantiles_are_of_all_values_up_to_a_number_of_samples(monkeypatch):
+def test_quantiles_are_of_all_values_up_to_a_number_of_samples(monkeypatch, any_type):
     values = np.arange(10.0)
     for most in (10, 9):
         monkeypatch.setattr(answers, "LIMITS", answers.LIMITS._replace(max_exact_samples=most))

@@ -215,7 +215,7 @@ class _Atlas(NamedTuple):
     def _turns(self, before: Place, place: Place, after: Place) -> bool:
         """Return whether the parameter has its extreme at a place between two."""
         turns_back = (place.value - before.value) * (after.value - place.value) < 0.0
-        return turns_back or abs(place.tangent[-1]) < LIMITS.min_parameter_share
+        return bool(turns_back or abs(place.tangent[-1]) < LIMITS.min_parameter_share)
 
     def _is_in_family(self, place: Place, member: Place, points: Float64[np.ndarray, "m n"]) -> bool:
         """Return whether a place is one of a family of equilibria at one value."""

@@ -116,7 +116,7 @@ def accuracy(trajectory: Trajectory, label: str = "drift") -> list[Answer]:
     return [
         Answer("", None, "", label, "", drifts(trajectory.drift)),
         Answer("", None, "", "state error estimate, relative", "", words),
-        Answer("", None, "", "computed by", "", None if trajectory.plan is None else str(trajectory.plan)),
+        Answer("", None, "", "plan", "", None if trajectory.plan is None else str(trajectory.plan)),
     ]
 
 

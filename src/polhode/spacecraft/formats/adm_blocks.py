@@ -14,7 +14,7 @@ from polhode.errors import FormatError, shown
 from polhode.formats.epochs import TIME_SYSTEMS, read_epoch
 from polhode.formats.labels import is_in_spacecraft, plain
 from polhode.formats.numerals import read_number
-from polhode.types import Array
+from polhode.types import Array, Float64, Integer, Shaped
 
 _UNIT = re.compile(r"\s*\[(?P<unit>[^\]]*)\]\s*$")
 _ROTATION_SEQUENCE = re.compile(r"([XYZ])(?!\1)([XYZ])(?!\2)[XYZ]")
@@ -97,7 +97,9 @@ class Block:
         """Return the numbers of several keywords, each in its unit; raises as ``number`` does."""
         return [self.number(keyword, unit) for keyword, unit in units.items()]
 
-    def read_rows(self, instant: Callable[[str], Any], width: int | None, why: str) -> tuple[Array, Array, Array]:
+    def read_rows(self, instant: Callable[[str], Any], width: int | None, why: str) -> tuple[
+        Shaped[Array, "n *more"], Float64[Array, "n width"], Integer[Array, "n"]
+    ]:  # fmt: skip
         """Return instants (n, …), numbers (n, width) and line numbers (n,) of the rows.
 
         Args:
