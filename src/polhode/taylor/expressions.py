@@ -111,7 +111,7 @@ class Tape:
         """How numbers are divided."""
         return self._watch(operator.truediv)
 
-    def function(self, function: Callable[[float], float], x: float | Fraction) -> Expression:
+    def function(self, function: Callable[[Any], float], x: float | Fraction) -> Expression:
         """Return a function of a number, which is taken for rounded but where it is of 0, or 0 or 1 of 1."""
         value = function(x)
         if self.kept is not None and not (x == 0.0 or (x == 1.0 and value in (0.0, 1.0))):
