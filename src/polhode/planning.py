@@ -128,7 +128,7 @@ def plan(
     """
     with without_warnings():
         request = check_request(system, state, times, method=method, step=step, order=order, tolerance=tolerance,
-                                resumable=resumable)  # fmt: skip
+                                resumable=resumable)
         first = prepare(request)
         if method is None and first.plan.stepping is Stepping.SERIES and first.plan.engine == NUMBERS:
             obstacle = find_obstacle(request.named, request.state, (request.times[0], request.times[-1]))
@@ -148,7 +148,7 @@ def without_warnings() -> Iterator[None]:
 def check_request(
     system: AbstractSystem, state: Any, times: Any, *, method: Any = None, step: float | None = None,
     order: int | None = None, tolerance: float | None = None, save: int = 1, resumable: bool = False, **others: Any
-) -> Request:  # fmt: skip
+) -> Request:
     """Return what is asked for, checked.
 
     Raises:
@@ -232,7 +232,7 @@ def _prepare_series(request: Request, reason: str) -> Prepared:
     order = choose_precision(request.tolerance, method.order, method.is_extended).order
     engine = ARRAYS if goes_by_arrays(request.system, np.asarray(request.state)) else NUMBERS
     return Prepared(MotionPlan(Stepping.SERIES, "Taylor", order, request.step, request.tolerance,
-                               _count(request), engine, reason), method)  # fmt: skip
+                               _count(request), engine, reason), method)
 
 
 def prepare_without_series(request: Request, obstacle: str = "") -> Prepared:
@@ -257,7 +257,7 @@ def prepare_without_series(request: Request, obstacle: str = "") -> Prepared:
         return _prepare_equal_steps(request, solver, reason)
     tolerance = TOLERANCE if request.tolerance is None else request.tolerance
     return Prepared(MotionPlan(stepping, type(solver).__name__, solver.order(None), request.step, tolerance,
-                               _count(request), XLA, reason), solver)  # fmt: skip
+                               _count(request), XLA, reason), solver)
 
 
 def _reason(request: Request, obstacle: str) -> str:
@@ -296,4 +296,4 @@ def _prepare_equal_steps(request: Request, solver: Any, reason: str) -> Prepared
         sizes = step_angle(solver.order(None)) / rates if step is None else np.full(rates.shape, float(step))
     sizes = np.minimum(sizes, float(np.abs(np.diff(times)).max()))
     return Prepared(MotionPlan(Stepping.EQUAL_STEPS, type(solver).__name__, solver.order(None), float(np.max(sizes)),
-                               request.tolerance, _count(request), XLA, reason), solver, sizes, rates)  # fmt: skip
+                               request.tolerance, _count(request), XLA, reason), solver, sizes, rates)

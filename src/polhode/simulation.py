@@ -114,7 +114,7 @@ def simulate(
         request = check_request(
             system, state, times, method=method, step=step, order=order, tolerance=tolerance, save=save,
             resumable=resumable, memory=memory, progress=progress, throw=throw, estimate_error=estimate_error,
-        )  # fmt: skip
+        )
         prepared = prepare(request)
         if prepared.plan.stepping is Stepping.SERIES and method is None:
             return _by_series_or_other_steps(request, prepared)
@@ -158,7 +158,7 @@ def _by_steps_after_series(request: Request, obstacle: str, singular: str) -> Tr
     Steps may also jump over one, and are then far off.
     """
     refusal = NotConverged(f"the motion comes to a singularity {singular}: its Taylor series end there, and other "
-                           "steps do not pass it. Give an earlier last time.")  # fmt: skip
+                           "steps do not pass it. Give an earlier last time.")
     try:
         rest = _run(request, prepare_without_series(request, obstacle))
     except NotConverged as error:
@@ -172,7 +172,7 @@ def _by_steps_after_series(request: Request, obstacle: str, singular: str) -> Tr
 
 def _join(
     request: Request, without: Bool[np.ndarray, "*batch"], moved: Trajectory, rest: Trajectory
-) -> Trajectory:  # fmt: skip
+) -> Trajectory:
     """Return the copies of two trajectories as those of one."""
 
     def together(ours: Any, others: Any) -> np.ndarray:
@@ -192,7 +192,7 @@ def _join(
     steps = max(run.statistics["steps"] for run in (moved, rest))
     ends = Ends(status, event, time, state, ours.events)
     motion = AdaptiveMotion(np.asarray(moved.times), together(moved.states, rest.states), received, None,
-                            status != Status.NOT_CONVERGED, steps, ends)  # fmt: skip
+                            status != Status.NOT_CONVERGED, steps, ends)
     assert moved.plan is not None
     plan = replace(moved.plan, otherwise=rest.plan)
     return _finish(request, plan, "the method", motion, error)
@@ -235,7 +235,7 @@ def _by_series(request: Request, prepared: Prepared) -> Trajectory:
         failed = ~np.ravel(motion.successful)
         singular = _find_singularity(motion, failed)
         raise NoSeries("its motion comes to a singularity.", f"it comes to a singularity {singular}", failed,
-                       singular=singular)  # fmt: skip
+                       singular=singular)
     order = choose_precision(local, method.order, method.is_extended).order
     copies, engine = motion.successful.size, ARRAYS if motion.by_arrays else NUMBERS
     plan = replace(prepared.plan, order=order, copies=copies, engine=engine)
@@ -256,7 +256,7 @@ def _finish(
 ) -> Trajectory:
     failed = np.argwhere(~motion.successful)
     which = "" if not np.ndim(motion.successful) or not len(failed) else (
-        f" in {len(failed)} of {motion.successful.size} copies, first {_indices(failed[0])}")  # fmt: skip
+        f" in {len(failed)} of {motion.successful.size} copies, first {_indices(failed[0])}")
     if request.throw and len(failed):
         raise NotConverged(
             f"{name} could not hold its tolerance after {motion.steps} steps{which}: the motion runs "
@@ -276,7 +276,7 @@ def _finish(
         outcome = _completed(request.system)
     steps, ends = {"steps": motion.steps}, motion.ends if np.ndim(motion.successful) else None
     return make_trajectory(request.system, motion.times, motion.states, outcome, steps, motion.received, error, ends,
-                           plan)  # fmt: skip
+                           plan)
 
 
 def _solve_past_jumps(request: Request, solver: Any) -> tuple[AdaptiveMotion, AbstractSystem]:
@@ -333,7 +333,7 @@ def _by_equal_steps(request: Request, prepared: Prepared) -> Trajectory:
         status = np.where(run.fine, Status.COMPLETED, Status.NOT_CONVERGED)
         ends = Ends(status, np.full(status.shape, -1), np.where(run.fine, times[-1], np.nan), run.last)
     trajectory = make_trajectory(request.system, times[:: request.every], run.states, outcome, statistics, {}, error,
-                                 ends, plan)  # fmt: skip
+                                 ends, plan)
     if error is not None and "energy" in trajectory.drift:
         # runs by steps of two lengths may miss the same corner by the same; the energy shows it
         trajectory = replace(trajectory, error_estimate=np.fmax(error, trajectory.drift["energy"]))

@@ -163,7 +163,7 @@ def solve(
         run = _adaptively(system, solver, state, times, times[::every], largest, jnp.asarray(tolerance), observe)
         none = jnp.zeros_like(run.steps)
         return Solution(jnp.asarray(times[::every]), run.saved, run.received, run.status, run.event, run.end,
-                        run.end_state, run.steps, none)  # fmt: skip
+                        run.end_state, run.steps, none)
 
 
 def _check(system: AbstractSystem, state: Array, times: Array) -> tuple[Array, Array]:
@@ -194,7 +194,7 @@ def _to_save(save: Any, count: int) -> tuple[int, Any]:
 def _adaptively(
     system: AbstractSystem, solver: Any, state: Array, times: Array, kept: Array, largest: Array | None,
     tolerance: Array, observe: Any,
-) -> Sampled:  # fmt: skip
+) -> Sampled:
     times, kept = jnp.asarray(times), jnp.asarray(kept)
 
     def one(state: Array) -> Sampled:
@@ -208,7 +208,7 @@ def _adaptively(
 def _by_series(
     system: AbstractSystem, state: Array, times: Array, method: Taylor, step: Any, tolerance: Any, every: int,
     observe: Any,
-) -> Solution:  # fmt: skip
+) -> Solution:
     from polhode.integrators._series_operation import series_solution
 
     if is_traced(step, tolerance):
@@ -231,7 +231,7 @@ def _by_series(
     end = jnp.where(motion.failed, jnp.nan, jnp.asarray(times)[-1])
     none = jnp.zeros_like(motion.steps)
     return Solution(kept, saved, received, status, none - 1, end, jnp.take(motion.states, -1, axis=axis), motion.steps,
-                    none)  # fmt: skip
+                    none)
 
 
 def _fold(fold: Fold, times: Array, states: Array, axis: int) -> Any:
@@ -251,7 +251,7 @@ def _fold(fold: Fold, times: Array, states: Array, axis: int) -> Any:
 def _by_equal_steps(
     system: Any, state: Array, times: Array, solver: Any, is_made: bool, step: Array | None, order: int | None,
     every: int, observe: Any, memory: Memory | None,
-) -> Solution:  # fmt: skip
+) -> Solution:
     if is_made:
         if step is not None or order is not None:
             raise InvalidInput("`step` and `order` go with a class of methods; the solver given was made with its own.")
@@ -275,7 +275,7 @@ def restore_memory(solver: integrators.AbstractOrbitSolver, state: Double[Array,
     wanted, stored = jax.eval_shape(fresh, jnp.asarray(state)), [jnp.asarray(x) for x in jax.tree.leaves(arrays)]
     shapes = [[x.shape for x in nest] for nest in (jax.tree.leaves(wanted), stored)]
     if shapes[0] != shapes[1] or any(jnp.iscomplexobj(x) and not jnp.issubdtype(w.dtype, jnp.complexfloating)
-                                     for w, x in zip(jax.tree.leaves(wanted), stored, strict=True)):  # fmt: skip
+                                     for w, x in zip(jax.tree.leaves(wanted), stored, strict=True)):
         raise InvalidInput(
             f"`memory` must be that of a run of {type(solver).__name__} from states of the same shape, at the same "
             "order; leave it out to start over."
@@ -288,7 +288,7 @@ def restore_memory(solver: integrators.AbstractOrbitSolver, state: Double[Array,
 def _run(
     solver: integrators.AbstractOrbitSolver, state: Array, times: Array, step: Array | None, every: int, observe: Any,
     memory: Memory | None,
-) -> Solution:  # fmt: skip
+) -> Solution:
     system, state = solver.system, jnp.asarray(state)
     batch = state.ndim - system.state_axes
     if step is None:
@@ -341,4 +341,4 @@ def _run_one(
     return Solution(
         times, value, {}, jnp.where(fine, Status.COMPLETED, Status.NOT_CONVERGED), jnp.asarray(-1),
         jnp.where(fine, times[-1], jnp.nan), last, after.steps, after.iterations, after,
-    )  # fmt: skip
+    )

@@ -59,7 +59,7 @@ class Polynomial:
         text = ""
         for powers, coefficient in zip(self.exponents, self.coefficients, strict=True):
             factors = [f"x{i + 1}" + (str(powers[i]).translate(SUPERSCRIPTS) if powers[i] > 1 else "")
-                       for i in np.flatnonzero(powers)]  # fmt: skip
+                       for i in np.flatnonzero(powers)]
             size = "" if abs(coefficient) == 1 else f"{abs(coefficient)} "
             sign = ("" if coefficient > 0 else "−") if not text else (" + " if coefficient > 0 else " − ")
             text += sign + size + " ".join(factors)

@@ -35,7 +35,7 @@ def check_rotations(constants: Float64[Array, "dim dim dim"], rotations: Sequenc
         fits, named = False, ()
     if not fits:
         raise InvalidInput(f"`rotations` must be three components one behind the other, from (0, 1, 2) on, of the "
-                           f"{len(c)} that the algebra has; got {shown(rotations)}.")  # fmt: skip
+                           f"{len(c)} that the algebra has; got {shown(rotations)}.")
     if not named:
         return ()
     place = slice(named[0], named[0] + 3)

@@ -34,7 +34,7 @@ class HashableModule(eqx.Module):
     def __hash__(self) -> int:
         leaves, structure = jax.tree.flatten(self)
         return hash((structure, *((x.shape, np.asarray(x).tobytes()) if eqx.is_array(x) or isinstance(x, np.ndarray)
-                                  else x for x in leaves)))  # fmt: skip
+                                  else x for x in leaves)))
 
 
 class AbstractLieAlgebra(HashableModule):

@@ -74,7 +74,7 @@ def check_degree(degree: int, count: int, dim: int) -> None:
         raise InvalidInput(f"`degree` must be a whole number, at least 1; got {shown(degree)}.")
     if count > LIMITS.max_monomials:
         raise InvalidInput(f"`degree` {degree} in {dim} variables has {count} monomials, more than "
-                           f"{LIMITS.max_monomials}. {REMEDY}")  # fmt: skip
+                           f"{LIMITS.max_monomials}. {REMEDY}")
 
 
 def invariant_terms(brackets: RationalBrackets, degree: int) -> list[Terms]:
@@ -116,7 +116,7 @@ def rational_brackets(algebra: AbstractLieAlgebra, read_as: str = EXACT) -> Rati
     rounding = LIMITS.constant_rounding
     near = all(abs(float(vector.get(k, 0)) - x) <= rounding * abs(x) or abs(x) <= rounding
                for row, rows in zip(table, given, strict=True) for vector, values in zip(row, rows, strict=True)
-               for k, x in enumerate(map(float, values)))  # fmt: skip
+               for k, x in enumerate(map(float, values)))
     if near and _is_algebra(table):
         return table
     raise InvalidInput(

@@ -59,7 +59,7 @@ class ConstantsAlgebra(AbstractLieAlgebra):
     def __init__(
         self, constants: Float64[Array, "dim dim dim"], casimirs: Iterable[Function] | None = None,
         fractions: Fractions | None = None, names: Iterable[str] | None = None, rotations: Sequence[int] = (),
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.given_rotations = check_rotations(constants, rotations)
         self.table, self.given, self.given_fractions = FixedArray(constants), None, fractions
         if casimirs is not None:
@@ -158,7 +158,7 @@ class MatrixBasisAlgebra(ConstantsAlgebra):
 def from_structure_constants(
     constants: Real[ArrayLike, "dim dim dim"], casimirs: Iterable[Function] | None = None,
     names: Iterable[str] | None = None, rotations: Sequence[int] = (),
-) -> ConstantsAlgebra:  # fmt: skip
+) -> ConstantsAlgebra:
     """Return the algebra with [e_i, e_j] = Σ_k c[i,j,k] e_k, after checking that it is one.
 
     Its Casimirs are watched: they are in the ``drift`` of what ``simulate`` returns, and ``stability`` uses them. Where
@@ -254,7 +254,7 @@ def _check_jacobi(c: np.ndarray, scale: float) -> None:
 def from_matrices(
     basis: Real[ArrayLike, "dim n n"], casimirs: Iterable[Function] | None = None, names: Iterable[str] | None = None,
     rotations: Sequence[int] = (),
-) -> MatrixBasisAlgebra:  # fmt: skip
+) -> MatrixBasisAlgebra:
     """Return the algebra spanned over the reals by matrices, after checking that it closes under commutation.
 
     Args:

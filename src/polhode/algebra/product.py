@@ -29,7 +29,7 @@ class Product(AbstractLieAlgebra):
     def __init__(self, *factors: AbstractLieAlgebra, rotations: Sequence[int] = ()) -> None:
         if not factors or not all(isinstance(factor, AbstractLieAlgebra) for factor in factors):
             raise InvalidInput(f"`Product` must be given algebras, one at least; got {shown(factors)}. "
-                               "Write Product(first, second), without brackets around them.")  # fmt: skip
+                               "Write Product(first, second), without brackets around them.")
         self.factors, self.given_rotations = factors, ()
         if len(rotations):
             self.given_rotations = check_rotations(Product(*factors).structure_constants(), rotations)

@@ -99,7 +99,7 @@ def _local(system: AbstractLiePoissonSystem, casimirs: Source, z: Array) -> _Loc
         return energy(x)[0]
 
     return _Local(height(z), jax.grad(height)(z), jax.hessian(height)(z), casimirs(z), jax.jacfwd(casimirs)(z),
-                  jax.jacfwd(jax.jacrev(casimirs))(z))  # fmt: skip
+                  jax.jacfwd(jax.jacrev(casimirs))(z))
 
 
 class Equations(NamedTuple):
@@ -126,7 +126,7 @@ class Family:
     def __init__(
         self, make: Callable[[float], AbstractLiePoissonSystem], casimirs: Source, state: Double[np.ndarray, "..."],
         low: float, high: float,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self._make, self._casimirs, self.low, self.high = make, casimirs, low, high
         self.algebra = make(low).algebra
         level = self.vector(state)
@@ -199,7 +199,7 @@ class Family:
         # two that meet are off by the root of a rounding
         noise = LIMITS.relative_zero * float(np.linalg.norm(tensor, 2) * np.linalg.norm(curvature, 2))
         return Place(z, float(value), tangent, int(np.sum((values < 0.0) & ~still)), vectors[:, still],
-                     vectors[:, least], float(values[least]), equations.energy, exponents, noise)  # fmt: skip
+                     vectors[:, least], float(values[least]), equations.energy, exponents, noise)
 
     def settle(
         self, z: Float64[np.ndarray, "n"], value: float, row: Float64[np.ndarray, "extended"]
@@ -226,7 +226,7 @@ class Family:
         if length == 0.0:
             return one
         solution = self.settle(one.vector + share * self.size * way[:-1], one.value + share * self.range * way[-1],
-                             way / length)  # fmt: skip
+                             way / length)
         return None if solution is None else self.place(*solution, one.tangent)
 
     def at_value(self, z: Float64[np.ndarray, "n"], value: float) -> Float64[np.ndarray, "n"] | None:
@@ -314,7 +314,7 @@ def _between_ends(family: Family, ends: list[Place], share: float) -> Place:
     """Return what is at a share of the straight way between two near places."""
     one, other = ends
     return family.place(one.vector + share * (other.vector - one.vector),
-                        one.value + share * (other.value - one.value), one.tangent)  # fmt: skip
+                        one.value + share * (other.value - one.value), one.tangent)
 
 
 def trace_family(family: Family, place: Place) -> tuple[Float64[np.ndarray, "m n"], bool]:

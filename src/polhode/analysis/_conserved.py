@@ -140,7 +140,7 @@ def choose_casimirs(algebra: AbstractLieAlgebra, casimirs: Sequence[Function] | 
         return Casimirs(Own(algebra), names, _lack(len(names), wanted, f"are known ({error})"))
     texts = [str(p) for p in polynomials]
     return Casimirs(Polynomials(polynomials), texts,
-                    _lack(len(polynomials), wanted, f"of degree ≤ {LIMITS.max_casimir_degree} exist"))  # fmt: skip
+                    _lack(len(polynomials), wanted, f"of degree ≤ {LIMITS.max_casimir_degree} exist"))
 
 
 def _lack(count: int, wanted: int, how: str) -> MissingCasimirs | None:
@@ -185,7 +185,7 @@ class Derivatives(NamedTuple):
     def choose(self, rows: list[int]) -> Derivatives:
         """Return the derivatives of some of the functions."""
         return Derivatives(self.gradients[rows], self.hessians[rows], self.around[:, rows], self.errors[rows],
-                           self.rough[rows])  # fmt: skip
+                           self.rough[rows])
 
 
 def derivatives(source: Source, z: Float64[Array, "n"], samples: Float64[Array, "m n"]) -> Derivatives:
@@ -382,7 +382,7 @@ def check_casimirs(tensors: Float64[Array, "m n n"], gradients: Float64[Array, "
         for i in range(n):
             unit = np.broadcast_to(np.eye(n)[i], gradients[:, k].shape)
             check_commute(tensors, gradients[:, k], unit, (f"casimirs[{k}]", f"x{i + 1}"),
-                          "A Casimir commutes with every coordinate; check the function.")  # fmt: skip
+                          "A Casimir commutes with every coordinate; check the function.")
     fine = gradients[np.isfinite(gradients).all(axis=(1, 2))]
     count = gradients.shape[1]
     lengths = np.linalg.norm(fine, axis=2, keepdims=True)

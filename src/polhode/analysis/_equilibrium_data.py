@@ -113,18 +113,18 @@ def problem(
     tensor = constants @ y
     known = _integrals(Known(system), Known(system).names, exact and [*exact.known.values()], tensor, z, unit, around)
     wanted = _integrals(Given(system.algebra, integrals), [f"J{k + 1}" for k in range(len(integrals))],
-                        exact and [*exact.given.values()], tensor, z, unit, around)  # fmt: skip
+                        exact and [*exact.given.values()], tensor, z, unit, around)
     refuse_rough(wanted.derived, "each of `integrals`")
     moving = [wanted.derived.around[:, k] for k, rest in enumerate(wanted.rest) if not rest]
     # a function that the system names takes no part where the symmetries rotate it
     known = known.choose([
         k for k, rest in enumerate(known.rest)
         if rest and known.derived.smooth[k] and all(commute(tensors, known.derived.around[:, k], x) for x in moving)
-    ])  # fmt: skip
+    ])
     for functions in (known, wanted):
         for name, slopes in zip(functions.names, np.moveaxis(functions.derived.around, 1, 0), strict=True):
             check_commute(tensors, slopes, energy.around[:, 0], (name, "H"),
-                          "It is not conserved; check the function, its sign and its parameters.")  # fmt: skip
+                          "It is not conserved; check the function, its sign and its parameters.")
     if exact is not None:
         refuse_inexact(exact, casimirs_given)
         kept = exact.conserved
@@ -141,7 +141,7 @@ def problem(
     g, H = (np.concatenate([getattr(part, field) for part in parts]) for field in ("gradients", "hessians"))
     error = max(float(part.errors.max(initial=0.0)) for part in parts)
     return Problem(system, casimirs.source, y, unit, g, H, tensor, constants, names, free, error, still, commutes,
-                   exact)  # fmt: skip
+                   exact)
 
 
 def _differentiate(
@@ -164,11 +164,11 @@ class _Integrals(NamedTuple):
 def _integrals(
     source: Source, names: list[str], polynomials: Sequence[RationalPolynomial] | None, tensor: Array, z: Array,
     unit: float, around: Array,
-) -> _Integrals:  # fmt: skip
+) -> _Integrals:
     if not names:
         n = z.size
         return _Integrals([], Derivatives(np.zeros((0, n)), np.zeros((0, n, n)), np.zeros((len(around), 0, n)),
-                                          np.zeros(0), np.zeros(0)), [])  # fmt: skip
+                                          np.zeros(0), np.zeros(0)), [])
     derived = _in_units(_differentiate(source, polynomials, z, unit * around), unit)
     return _Integrals(names, derived, [_is_at_rest(tensor, gradient) for gradient in derived.gradients])
 
@@ -199,10 +199,10 @@ def _name_scaled(casimirs: Casimirs, y: Array, unit: float) -> list[str]:
     if unit == 1.0:
         return list(casimirs.names)
     ones, twos = (np.asarray(casimirs.source(jnp.asarray(x))) for x in (np.cos(np.arange(y.size)),
-                                                                         2.0 * np.cos(np.arange(y.size))))  # fmt: skip
+                                                                         2.0 * np.cos(np.arange(y.size))))
     quadratic = np.isclose(twos, 4.0 * ones, rtol=1e-9)
     return [name if plain else f"({unit:.3g})² ({name} of μ/{unit:.3g})"
-            for name, plain in zip(casimirs.names, quadratic, strict=True)]  # fmt: skip
+            for name, plain in zip(casimirs.names, quadratic, strict=True)]
 
 
 def _vanishes(values: Array, terms: Array) -> bool:

@@ -110,7 +110,7 @@ def _further_integrals(equations: Equations, verdict: str) -> Iterator[Named]:
     """Yield what else is conserved: coordinates that do not move, then all polynomials of second degree."""
     if verdict == "stable":
         if still := {f"x{k + 1}": x for k, x in enumerate(RationalPolynomial.variables(equations.size))
-                     if not equations.field[k]}:  # fmt: skip
+                     if not equations.field[k]}:
             yield still
         if equations.size <= LIMITS.max_coordinates:
             yield quadratic_integrals(equations.field)

@@ -81,7 +81,7 @@ def _plane_on_leaf(exact: ExactFunctions, z: Sequence[Fraction]) -> list[list[Fr
     if rank(inside) < rank(slopes):
         return []  # the plane touches the leaf: where they meet need not be smooth
     return [[sum((c * v[k] for c, v in zip(row, kernel, strict=True)), Fraction(0)) for k in range(n)]
-            for row in null_space(inside, len(kernel))]  # fmt: skip
+            for row in null_space(inside, len(kernel))]
 
 
 def _substitute(p: RationalPolynomial, x: Sequence[RationalPolynomial]) -> RationalPolynomial:
@@ -114,4 +114,4 @@ def _leaf_is_still(exact: ExactFunctions, z: Sequence[Fraction]) -> bool:
     monomials = sorted({m for p in (*columns, *exact.field) for m in p.terms})
     rows = [[p.terms.get(m, Fraction(0)) for p in columns] for m in monomials]
     return all(solve_near(rows, [f.terms.get(m, Fraction(0)) for m in monomials], [Fraction(0)] * len(columns))
-               is not None for f in exact.field)  # fmt: skip
+               is not None for f in exact.field)

@@ -91,14 +91,14 @@ class ExactFunctions(NamedTuple):
         """Return π (n, n) at a point, as the field of x_j is its j-th column."""
         n = len(point)
         return [[sum((self.sign * c * point[k] for k, c in self.brackets[i][j].items()), Fraction(0))
-                 for j in range(n)] for i in range(n)]  # fmt: skip
+                 for j in range(n)] for i in range(n)]
 
     @property
     def is_compact(self) -> bool:
         """Whether the Killing form is negative on a complement of the centre, by exact signs."""
         n, c = len(self.brackets), self.brackets
         killing = [[sum((x * c[j][m].get(k, Fraction(0)) for k in range(n) for m, x in c[i][k].items()), Fraction(0))
-                    for j in range(n)] for i in range(n)]  # fmt: skip
+                    for j in range(n)] for i in range(n)]
         positive, zero, _ = signature(killing)
         moves = [[c[i][j].get(k, Fraction(0)) for i in range(n)] for j in range(n) for k in range(n)]
         return not positive and zero == len(null_space(moves, n))
@@ -137,7 +137,7 @@ def exact_functions(
         brackets, system.sign, energy, dict(zip(casimirs.names, own, strict=True)),
         dict(zip(Known(system).names, known, strict=True)), {f"J{k + 1}": p for k, p in enumerate(given)},
         poisson_field(brackets, system.sign, energy),
-    )  # fmt: skip
+    )
 
 
 def _trace(source: Source, n: int) -> list[RationalPolynomial]:
@@ -158,7 +158,7 @@ def polynomial_derivatives(
     gradients = np.array([[_evaluate(p.derivative(i), around) for i in range(n)] for p in polynomials])
     # exact as the entries are, what is made of them in doubles is not: the same thresholds hold
     return Derivatives(slopes, 2.0 * halves, gradients.reshape(k, n, len(around)).transpose(2, 0, 1),
-                       np.full(k, CONSERVATION_LIMITS.derivative_error), np.zeros(k))  # fmt: skip
+                       np.full(k, CONSERVATION_LIMITS.derivative_error), np.zeros(k))
 
 
 def as_double(x: Fraction) -> float:
@@ -187,12 +187,12 @@ def refuse_inexact(exact: ExactFunctions, casimirs_given: bool) -> None:
     for name, p in exact.given.items():
         if left := p.rate(exact.field):
             raise InvalidInput(f"{{{name}, H}} must vanish; in exact arithmetic it does not, and the largest "
-                               f"coefficient of what is left is {_largest(left):.3g}. {remedy}")  # fmt: skip
+                               f"coefficient of what is left is {_largest(left):.3g}. {remedy}")
     for k, p in enumerate(exact.casimirs.values()) if casimirs_given else ():
         if left := [f for f in exact.flow(p) if f]:
             raise InvalidInput(f"casimirs[{k}] must commute with every coordinate; in exact arithmetic it does not, "
                                f"and the largest coefficient of what is left is {_largest(left[0]):.3g}. "
-                               f"{remedy}")  # fmt: skip
+                               f"{remedy}")
 
 
 def _largest(p: RationalPolynomial) -> float:

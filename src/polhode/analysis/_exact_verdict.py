@@ -68,7 +68,7 @@ def decide_exactly(numerical: Stability, p: Problem) -> Stability:
         direction = growing_direction(as_floats(here.flow)) @ as_floats(here.basis)
         direction = direction / np.linalg.norm(direction)
         return Stability("unstable", rate, "exponential", direction, ExponentialGrowth(rate, direction),
-                         here.spectrum, function=numerical.function)  # fmt: skip
+                         here.spectrum, function=numerical.function)
     if here.drifts:
         return numerical if isinstance(numerical.reason, SteadyDrift) else _drifting(numerical, here)
     return _on_leaf_alone(numerical, here)
@@ -107,7 +107,7 @@ class _Leaf:
         """The linearised flow along the basis, whose vectors have a one each where the others have zeros."""
         places = [max(k for k, x in enumerate(v) if x) for v in self.basis]
         images = [[sum((a * b for a, b in zip(row, v, strict=True)), Fraction(0))
-                   for row in self.equations.linearization] for v in self.basis]  # fmt: skip
+                   for row in self.equations.linearization] for v in self.basis]
         return transpose([[image[k] for k in places] for image in images]) if images else []
 
     @cached_property
@@ -184,9 +184,9 @@ def _stable(numerical: Stability, equations: Equations, proof: Confinement) -> S
     # all of one sign, by exact ones: rounding must not turn it
     curvatures = sign * np.maximum(np.abs(np.linalg.eigvalsh(bends)) / size, np.finfo(float).tiny)
     function = ConservedFunction(tuple(names), weights, np.sort(curvatures), 0.0, squares=squares,
-                                 lengths=np.ones(len(names)))  # fmt: skip
+                                 lengths=np.ones(len(names)))
     return Stability("stable", 0.0, None, None, DefiniteVariation(function, sign), 1j * numerical.spectrum.imag,
-                     function=function)  # fmt: skip
+                     function=function)
 
 
 def _drifting(numerical: Stability, here: _Leaf) -> Stability:
@@ -206,5 +206,5 @@ def _on_leaf_alone(numerical: Stability, here: _Leaf) -> Stability:
     if numerical.verdict == "undecided" and not isinstance(numerical.reason, BY_EQUALITY):
         return numerical
     reason = (NoCombination(0.0, 0.0, 0.0, 0.0) if numerical.function is None else
-              OpenVariation(numerical.function, bool(positive and negative), 0.0, 0.0))  # fmt: skip
+              OpenVariation(numerical.function, bool(positive and negative), 0.0, 0.0))
     return Stability("undecided", 0.0, None, None, reason, numerical.spectrum, function=numerical.function)

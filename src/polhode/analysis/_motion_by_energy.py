@@ -45,7 +45,7 @@ def check_motion(system: AbstractLiePoissonSystem, samples: Callable[[], Float64
             "Override `generator(t, point)` instead."
         )
     if kind.__module__.partition(".")[0] == "polhode" or (kind.generator is base.generator
-                                                          and kind.velocity is base.velocity):  # fmt: skip
+                                                          and kind.velocity is base.velocity):
         return
     algebra, around = system.algebra, samples()
     points = algebra.from_dual_vector(jnp.asarray(around))

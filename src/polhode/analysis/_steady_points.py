@@ -60,7 +60,7 @@ def _roots(moments: Array, h: Array) -> list[tuple[Factors, float]]:
         if _excess(h, factors(least)) < 0.0:
             excess = lambda u, f=factors: _excess(h, f(u))  # noqa: E731
             roots += [(factors, _halve(excess, -farthest, least)),
-                      (factors, _halve(lambda u, g=excess: -g(u), least, farthest))]  # fmt: skip
+                      (factors, _halve(lambda u, g=excess: -g(u), least, farthest))]
     return roots
 
 

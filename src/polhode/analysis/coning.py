@@ -18,7 +18,7 @@ from polhode.types import Array, ArrayLike, Float64, Real
 def coning_momentum(
     moments: Real[ArrayLike, "3"], nutation: float | None = None, spin: float | None = None,
     precession: float | None = None,
-) -> Float64[np.ndarray, "3"]:  # fmt: skip
+) -> Float64[np.ndarray, "3"]:
     """Return the momentum (3,) of a free symmetric body that cones, by two of three numbers [kg m²/s, principal axes].
 
     Its axis keeps the angle θ to L and goes round it at φ̇ = |L|/A, while the body turns about the axis at ψ̇ against

@@ -170,9 +170,9 @@ def continue_equilibria(
     for number, path in enumerate(atlas.paths):
         atlas.meetings.extend((kind, place, [number]) for kind, place in _exchanges(family, path)
                               if not any(number in m[2] and family.apart(m[1], place) < LIMITS.meeting_distance
-                                         for m in atlas.meetings))  # fmt: skip
+                                         for m in atlas.meetings))
     bifurcations = [Bifurcation(kind, place.value, family.point(place.vector), tuple(sorted(set(numbers))))
-             for kind, place, numbers in atlas.meetings]  # fmt: skip
+             for kind, place, numbers in atlas.meetings]
     branches = tuple(_branch(family, path) for path in atlas.paths)
     return Continuation(branches, tuple(sorted(bifurcations, key=lambda one: one.value)))
 

@@ -88,4 +88,4 @@ def dual_spin_damping(
     # θ falls where λ/λ₀ > 0: the sense of L does not matter
     effects = [CALM if x * rate > 0.0 else RAISE if x * rate < 0.0 else NEITHER for x in felt]
     return DualSpinDamping(rate, (float(felt[0]), float(felt[1])), (effects[0], effects[1]), growth,
-                           -1.0 / growth if growth else math.inf)  # fmt: skip
+                           -1.0 / growth if growth else math.inf)

@@ -69,7 +69,7 @@ def _about(I: np.ndarray, norm: float, i: int) -> Stability:  # noqa: E741
     if norm == 0.0:
         return replace(stability, verdict="stable", rate=0.0, growth=None, direction=None, function=None,
                        spectrum=0.0 * stability.spectrum,
-                       reason=AxisOfFreeBody(float(I[i]), terms, 0.0, None, True))  # fmt: skip
+                       reason=AxisOfFreeBody(float(I[i]), terms, 0.0, None, True))
     if not curvature.any():
         return replace(stability, verdict="stable")
     return replace(stability, rate=stability.rate * rate, spectrum=stability.spectrum * rate)

@@ -223,7 +223,7 @@ def orbital_equilibria(moments: Real[ArrayLike, "3"], mean_motion: float) -> tup
             region = (LAGRANGE if k3 > 0.0 else DEBRA_DELP) if held else UNSTABLE
         rates = None if squares is None else (n * math.sqrt(squares[0]), n * math.sqrt(squares[1]))
         equilibria.append(OrbitalEquilibrium(I, n, roll, pitch, yaw, region, n * math.sqrt(kp) if kp > 0.0 else None,
-                                        rates, n * growth))  # fmt: skip
+                                        rates, n * growth))
     return tuple(equilibria)
 
 

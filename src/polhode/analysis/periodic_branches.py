@@ -113,7 +113,7 @@ class _Place(NamedTuple):
 def continue_periodic(
     make: Callable[[float], AbstractSystem], limits: Real[ArrayLike, "2"], state: Real[ArrayLike, "..."], period: float,
     first: float = 0.0, fixed: bool = False,
-) -> PeriodicBranch:  # fmt: skip
+) -> PeriodicBranch:
     """Return the periodic motions of a family of systems, followed from a guess at one end of a range of its parameter.
 
     Conserved quantities, such as energy and Casimirs, keep their values at the start; otherwise there would be a whole
@@ -187,7 +187,7 @@ class _Family:
     def __init__(
         self, make: Callable[[float], AbstractSystem], ends: Float64[np.ndarray, "2"], begin: PeriodicMotion,
         first: float, fixed: bool,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self._make, self.begin, self.end, self.first, self.fixed = make, float(ends[0]), float(ends[1]), first, fixed
         self.range = abs(self.end - self.begin)
         self.size, self.period = float(np.linalg.norm(begin.state)) or 1.0, begin.period

@@ -99,7 +99,7 @@ def level_segments(energy: Energy, values: Sequence[float] | None = None) -> Flo
         return np.empty((0, 2, 3))
     spread = low + (high - low) * (np.arange(count) + 0.5) / count
     return np.concatenate([np.empty((0, 2, 3)), *(_cut_triangles(energy, corners, heights, v)
-                                                  for v in (spread if values is None else values))])  # fmt: skip
+                                                  for v in (spread if values is None else values))])
 
 
 @known_numbers_only

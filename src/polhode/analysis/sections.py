@@ -110,7 +110,7 @@ def section(
     with keep_interrupts() as check:
         try:
             crossings = find_crossings(system, np.asarray(start), through, ends, choose_precision(None), most,
-                                 direction != "either", lambda share: check())  # fmt: skip
+                                 direction != "either", lambda share: check())
         except Untraceable as error:
             raise InvalidInput(
                 f"a section of {type(system).__name__} needs Taylor series, and its rates of change or `surface` "

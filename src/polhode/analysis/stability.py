@@ -150,7 +150,7 @@ def judge_steady_motion(motion: SteadyMotion) -> Stability:
     is_named = any(name in str(judged.reason) for name in motion.names)
     restricted = Restriction(within=motion.within, without=motion.without) if motion.without else None
     return replace(judged, legend=motion.legend if is_named else "",
-                   restricted=restricted if judged.verdict == "stable" else None)  # fmt: skip
+                   restricted=restricted if judged.verdict == "stable" else None)
 
 
 def _judge_equilibrium_first(p: Problem) -> Stability:
@@ -205,12 +205,12 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
             p.g[chosen] @ basis, (0.0 if leafwise else 1.0) * basis.T @ p.H[chosen] @ basis,
             is_equilibrium=True, tolerance=min(error, 0.5), unit=p.unit,
             sizes=((0.0 if leafwise else 1.0) * sizes[0] @ inside, p.unit * inside.T @ sizes[1] @ inside), **options,
-        )  # fmt: skip
+        )
         return _express_direction(judgement, basis)
 
     family = not len(divided) and _on_equilibria(p, flow, p.g[rows], float(sizes[1].max()))
     judgement = judge_part(across, curvature, kept, p.error, casimir_names=[p.names[n - 1] for n in kept],
-                   on_equilibria=family, contained=weights[kept])  # fmt: skip
+                   on_equilibria=family, contained=weights[kept])
     tangent, effective, error = _on_tangent(p, flow, sizes[1])
     if judgement.verdict != "undecided":
         return judgement
@@ -219,7 +219,7 @@ def _judge(p: Problem, weights: Array, divided: Sequence[int] = ()) -> Stability
     leaf = tangent @ null_space(_unit_rows(np.array(moved).reshape(-1, len(slope))) @ tangent, LIMITS.relative_zero)
     # on a point there is nothing to judge
     leafwise = (judge_part(leaf, effective, list(divided), error) if leaf.shape[1] else
-                Stability("stable", 0.0, None, None, LeafIsPoint(), np.zeros(0, complex)))  # fmt: skip
+                Stability("stable", 0.0, None, None, LeafIsPoint(), np.zeros(0, complex)))
     return _leafwise(p, judgement, leafwise, tangent.shape[1], bool(len(divided)))
 
 

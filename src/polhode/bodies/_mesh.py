@@ -24,7 +24,7 @@ LIMITS = SheetLimits()
 def mass_properties(
     vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], *, mass: float | None, density: float | None,
     several: bool = False, repair: bool = False, repaired: bool = False,
-) -> MassProperties:  # fmt: skip
+) -> MassProperties:
     """Return mass, centre and inertia of the body inside a mesh: ``Body.from_mesh`` documents the arguments.
 
     A mesh that was ``repaired`` when it was read needs no second repair, and no message advises to ask for it.
@@ -52,7 +52,7 @@ def mass_properties(
 def sheet_properties(
     vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], *, mass: float | None, density: float | None,
     thickness: float | None,
-) -> MassProperties:  # fmt: skip
+) -> MassProperties:
     """Return mass, centre and inertia of a thin sheet: ``Body.from_sheet`` documents the arguments."""
     if (mass is None) == (density is None) or (density is None) != (thickness is None):
         raise InvalidInput("give either `mass` [kg], or `density` [kg/m³] with `thickness` [m]; a sheet has no other.")

@@ -59,7 +59,7 @@ def about_pivot(body: Body, pivot: Real[ArrayLike, "3"], gravity: float = STANDA
     check_is_body(body)
     if is_traced(gravity, *(pivot if isinstance(pivot, tuple | list) else (pivot,))):
         raise InvalidInput("`pivot` and `gravity` must be known numbers, not traced by JAX: the principal axes at the "
-                           "pivot are decided on them. Give moments and mgl to LagrangeMotion instead.")  # fmt: skip
+                           "pivot are decided on them. Give moments and mgl to LagrangeMotion instead.")
     require_doubles(gravity=gravity)
     if not is_positive(gravity):
         raise InvalidInput(f"`gravity` must be positive and finite [m/s²]; got {shown(gravity)}.")
@@ -69,7 +69,7 @@ def about_pivot(body: Body, pivot: Real[ArrayLike, "3"], gravity: float = STANDA
     length, mass = float(np.linalg.norm(arm)), float(body.mass or 0.0)
     if length * np.sqrt(mass) <= LIMITS.min_distance * np.sqrt(moments[2]):
         warnings.warn("the fixed point is the centre of mass: the weight has no torque, the body is free.",
-                      stacklevel=3)  # fmt: skip
+                      stacklevel=3)
         return PivotedBody(moments, axes, np.zeros(3), 0.0)
     return PivotedBody(moments, axes, arm, mass * gravity * length)
 

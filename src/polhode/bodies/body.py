@@ -204,7 +204,7 @@ class Body:
     def from_mesh(
         cls, vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], *, mass: float | None = None,
         density: float | None = None, several: bool = False, repair: bool = False,
-    ) -> Body:  # fmt: skip
+    ) -> Body:
         """Return the homogeneous body inside a closed triangle mesh: J = ρ ∫ (|r|² 1 − r rᵀ) dV about the centroid.
 
         Args:
@@ -237,7 +237,7 @@ class Body:
     def from_sheet(
         cls, vertices: Real[ArrayLike, "n 3"], faces: Real[ArrayLike, "m 3"], *, mass: float | None = None,
         density: float | None = None, thickness: float | None = None,
-    ) -> Body:  # fmt: skip
+    ) -> Body:
         """Return a thin sheet along a triangle mesh, open or closed: its mass lies on the triangles, evenly.
 
         A wall of finite thickness differs by the square of thickness over size.

@@ -95,7 +95,7 @@ def capsule(mass: float, radius: float, length: float) -> Body:
 def prism(
     mass: float, height: float, sides: int | None = None, radius: float | None = None,
     outline: Real[ArrayLike, "n 2"] | None = None,
-) -> Body:  # fmt: skip
+) -> Body:
     """Return a solid prism along z with its middle at z = 0, on a regular polygon or on any outline.
 
     Args:

@@ -41,7 +41,7 @@ def tumble(
         run_list(json)
         return
     run_tumble(body, TumbleOptions(precession, rotation, moments, semi_axes, axis, mode, diameter, density, rigidity,
-                                   shape_factor, aspect, phase, figures, out), json)  # fmt: skip
+                                   shape_factor, aspect, phase, figures, out), json)
 
 
 def wobble(

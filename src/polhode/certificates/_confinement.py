@@ -236,7 +236,7 @@ def _grow_exactly(
     size = float(max(abs(x) for row in half for x in row)) or 1.0
     for k in range(min(GROWTHS), LIMITS.max_exact_growth):
         squares = {name: power_of_two(size / float(sum(x * x for x in g))) * Fraction(2) ** k
-                   for name, g in named.items()}  # fmt: skip
+                   for name, g in named.items()}
         if signature(_with_squares(half, named, squares))[0] == len(half):
             return squares
     return {}

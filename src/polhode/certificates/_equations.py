@@ -140,7 +140,7 @@ def restrict_to_zeros(equations: Equations, zeros: Sequence[int]) -> Equations:
         equations.system, field, {**quadratic_integrals(field), **known},
         tuple(equations.point[k] for k in places), equations.moved,
         within=f"{names} = 0{renamed}", read_as=equations.read_as,
-    )  # fmt: skip
+    )
 
 
 def quadratic_integrals(field: Sequence[RationalPolynomial]) -> dict[str, RationalPolynomial]:
@@ -165,7 +165,7 @@ def turns(flow: Sequence[RationalPolynomial]) -> bool:
     twice = [x.rate(flow) for x in flow]
     norm = total(len(flow), (x * x for x in RationalPolynomial.variables(len(flow))))
     return (all(x == x.part(1, 1) for x in flow) and not norm.rate(flow)
-            and all(x.rate(flow) == -y for x, y in zip(twice, flow, strict=True)))  # fmt: skip
+            and all(x.rate(flow) == -y for x, y in zip(twice, flow, strict=True)))
 
 
 def as_terms(p: RationalPolynomial) -> list[list[Any]]:

@@ -88,7 +88,7 @@ def _exact(tape: ExactTape, x: Array) -> Array:
     for k in np.ndindex(x.shape):
         value = x[k]
         traced[k] = (Complex(tape.constant(value.real), tape.constant(value.imag)) if np.iscomplexobj(value)
-                    else tape.constant(value))  # fmt: skip
+                    else tape.constant(value))
     return traced
 
 

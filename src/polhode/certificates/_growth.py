@@ -74,7 +74,7 @@ class Growth:
         """Return what is left of V̇ − 2γV without the margin and the squares; of third degree where it holds."""
         V, n = quadratic_form(self.form), equations.size
         return (V.rate(equations.around) - 2 * self.rate * V - self.margin * norm(n)
-                - sum_of_squares(n, self.forms))  # fmt: skip
+                - sum_of_squares(n, self.forms))
 
     def find_faults(self, equations: Equations) -> list[str]:
         """Return what is wrong with the proof of these equations."""

@@ -41,10 +41,10 @@ class RationalCertificate:
         """What is proved, in a sentence."""
         if self.equations.flow:
             return (f"every solution that starts near enough stays near the point up to the flow of "
-                    f"{self.equations.flow_name}")  # fmt: skip
+                    f"{self.equations.flow_name}")
         if self.equations.within:
             return (f"every solution with {self.equations.within}, that starts near enough stays near the point; of "
-                    "other solutions, on leaves nearby, nothing is proved")  # fmt: skip
+                    "other solutions, on leaves nearby, nothing is proved")
         if self.verdict == "stable":
             return "every solution that starts near enough, in any direction, stays near the point"
         return "arbitrarily near the point are starts from which no solution stays near it beyond some time"
@@ -83,7 +83,7 @@ def require_rational(certificate: RationalCertificate) -> None:
     """
     if not isinstance(certificate, RationalCertificate):
         raise InvalidInput(f"`certificate` must be a RationalCertificate; got {shown(certificate)}. "
-                           "Make one by `as_rational()` of the certificate of a verdict.")  # fmt: skip
+                           "Make one by `as_rational()` of the certificate of a verdict.")
 
 
 def find_certificate(
@@ -107,7 +107,7 @@ def find_certificate(
         proof = find_growth(equations) or find_drift(equations)
     else:
         raise InvalidInput(f"the verdict must be decided to be proved; got {undecided or verdict}. "
-                           "Look for a further conserved function.")  # fmt: skip
+                           "Look for a further conserved function.")
     if proof is None:
         raise InvalidInput(
             f"no proof of the verdict {verdict!s} in rational numbers was found: {_why(equations, verdict)}. Give the "

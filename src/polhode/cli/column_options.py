@@ -17,12 +17,12 @@ TimeUnit = Annotated[
     typer.Option("--time-unit", metavar="UNIT",
                  help="s, ms, us, ns, min, h, d, unless the column's name says it; or mjd, jd, gps, unix, unix-ns, or "
                       "gmat: days from JD 2430000."),
-]  # fmt: skip
+]
 TimeSystem = Annotated[
     str | None,
     typer.Option("--time-system", metavar="SYSTEM",
                  help="UTC, TAI, TT, TDB or GPS, of dates without a zone and of Julian days."),
-]  # fmt: skip
+]
 QuatColumns = Annotated[
     str | None,
     typer.Option("--quat", metavar="C,C,C,C", help="Columns of the attitude quaternion, or of its vector part alone."),
@@ -38,7 +38,7 @@ Direction = Annotated[
 MatrixColumns = Annotated[
     str | None,
     typer.Option("--matrix", metavar="C,C,…", help="Nine columns of the rotation matrix, row by row."),
-]  # fmt: skip
+]
 MrpColumns = Annotated[
     str | None, typer.Option("--mrp", metavar="C,C,C", help="Columns of modified Rodrigues parameters.")
 ]
@@ -62,7 +62,7 @@ CountScale = Annotated[
     str | None,
     typer.Option("--scale", metavar="SCALE",
                  help='Of raw counts in --gyro, like "131 LSB/(deg/s)", instead of --unit.'),
-]  # fmt: skip
+]
 Decimal = Annotated[
     str | None, typer.Option("--decimal", metavar="SIGN", help="point (default) or comma, of the numbers.")
 ]

@@ -64,7 +64,7 @@ def _starts_with(flags: tuple[str, ...]) -> bool:
     """Whether a process in which JAX compiles with these flags comes to its end."""
     environment = os.environ | {COMPILER: " ".join(flags), "JAX_PLATFORMS": "cpu"}
     done = subprocess.run([sys.executable, "-c", TRIAL], env=environment, capture_output=True, check=False,
-                          timeout=LIMITS.trial_seconds)  # fmt: skip
+                          timeout=LIMITS.trial_seconds)
     return done.returncode == 0
 
 

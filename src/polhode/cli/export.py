@@ -65,7 +65,7 @@ def gather_content(spec: Spec, report: SystemReport) -> Content:
     return Content(
         spec.name, spec.labels, None if moving is None else moving.trajectory, None if moving is None else moving.shown,
         spec.body, lambda: spec.surface, spec, report.save if moving is None else None,
-    )  # fmt: skip
+    )
 
 
 def _write(form: Form, content: Content, place: Path) -> Path:
@@ -103,4 +103,4 @@ def _warn_of_long_turns(trajectory: Trajectory, form: str) -> None:
     if (turn := farthest_turn(trajectory)) > LIMITS.max_turn:
         print(f"polhode: {form}: the body turns by up to {math.degrees(turn):.3g}° between samples; readers who "
               f"interpolate over more than {math.degrees(LIMITS.max_turn):.0f}° go wrong. Raise `samples` under "
-              "[time], or take a shorter `until`.", file=sys.stderr)  # fmt: skip
+              "[time], or take a shorter `until`.", file=sys.stderr)

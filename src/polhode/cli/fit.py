@@ -20,7 +20,7 @@ from polhode.studies.fit_request import FitOptions
 def run_fit(
     files: list[Path], free: str | None, options: FitOptions, columns: ColumnOptions, out: Path | None,
     figures: Path | None, json: bool, pendulum: bool = False,
-) -> None:  # fmt: skip
+) -> None:
     """Fit the files, print the report, and write data and figures where asked for.
 
     Raises:

@@ -12,7 +12,7 @@ FitFiles = Annotated[
     typer.Argument(metavar="LOG… | SPEC LINES | PERIODS", help="Gyro logs of throws (CSV, a folder, a zip), or a log "
                    "of the attitude; or a molecule by a spec or atoms, and its measured lines, a .lin file; or with "
                    "--pendulum a TOML file of a pendulum's periods."),
-]  # fmt: skip
+]
 Pendulum = Annotated[
     bool, typer.Option("--pendulum", help="The file has periods of a bifilar, trifilar or compound pendulum.")
 ]
@@ -20,12 +20,12 @@ FreeNames = Annotated[
     str | None,
     typer.Option("--free", metavar="NAMES",
                  help="Of a molecule: like A,B,C,D_J (default: those of the spec that lines depend on)."),
-]  # fmt: skip
+]
 FitOut = Annotated[
     Path | None,
     typer.Option("--out", metavar="FILE",
                  help="Of logs: dataset, .nc; of a molecule: constants, .par, or .var with correlations."),
-]  # fmt: skip
+]
 FitFigures = Annotated[
     Path | None, typer.Option("--figures", metavar="DIR", help="Of logs: folder to draw figures into.")
 ]
@@ -33,7 +33,7 @@ FitWindows = Annotated[
     list[str] | None,
     typer.Option("--window", metavar="START,END",
                  help="Of logs: free flight [s], like 1.2,1.9, in place of the detected one; once for each throw."),
-]  # fmt: skip
+]
 WithDrag = Annotated[
     bool | None, typer.Option("--drag/--no-drag", help="Of logs: drag or none (default: by a criterion).")
 ]
@@ -41,12 +41,12 @@ WithRotor = Annotated[
     bool | None,
     typer.Option("--rotor/--no-rotor", help="Of logs: a wheel that turns in the body, or none (default: by a "
                  "criterion)."),
-]  # fmt: skip
+]
 WithTorque = Annotated[
     bool | None,
     typer.Option("--torque/--no-torque", help="Of a log of attitudes: a constant torque in the body, or none "
                  "(default: by a criterion)."),
-]  # fmt: skip
+]
 WithGain = Annotated[
     bool | None, typer.Option("--gain/--no-gain", help="Of logs: gains of the axes or none (default: gains).")
 ]
@@ -68,7 +68,7 @@ AddedWeight = Annotated[
     str | None,
     typer.Option("--added-weight", metavar="WEIGHT",
                  help='Like "20 g at 0, 70, 0 mm", from the body\'s centre of mass along the device\'s axes.'),
-]  # fmt: skip
+]
 
 
 class ThrowOptions(NamedTuple):

@@ -26,7 +26,7 @@ def grouped(function: Callable[..., None]) -> Callable[..., None]:
         groups[parameter.name] = kind
         options, defaults = get_type_hints(kind, include_extras=True), kind._field_defaults
         parameters += [inspect.Parameter(name, parameter.kind, default=defaults[name], annotation=options[name])
-                       for name in fields]  # fmt: skip
+                       for name in fields]
 
     @functools.wraps(function)
     def command(**given: Any) -> None:

@@ -106,7 +106,7 @@ def _about_body(trajectory: Trajectory) -> Group:
         Answer("principal_axes", np.asarray(frame.axes)),
         Answer("mass", frame.mass, "kg", "mass"),
         Answer("momentum_norm", size, "kg m²/s", "|L| at first"),
-    ])  # fmt: skip
+    ])
 
 
 def _with_moments(trajectory: Trajectory, spec: Path) -> tuple[Trajectory, str, list[str]]:
@@ -185,7 +185,7 @@ def about_file(trajectory: Trajectory, labels: AttitudeLabels | None, kept: str)
         Answer("body_frame", labels.body_frame or None),
         Answer("epoch", labels.epoch, "", "time zero", "", f"{labels.epoch} {labels.time_system}"),
         Answer("time_system", labels.time_system),
-    ]  # fmt: skip
+    ]
     return Group("Angular velocity" if trajectory.attitude is None else "Attitude history", [
         *named,
         Answer("first", float(times[0]), "s", "span", "", f"{times[0]:.9g} to {times[-1]:.9g} s"),
@@ -200,4 +200,4 @@ def about_file(trajectory: Trajectory, labels: AttitudeLabels | None, kept: str)
         Answer("fastest", fastest, "rad/s", "angular velocity", "",
                "none in the file" if fastest is None else f"up to {rate(fastest)}"),
         Answer("", None, "", f"drift of {kept} invariants", "", drifts(trajectory.drift) if kept else None),
-    ])  # fmt: skip
+    ])

@@ -73,7 +73,7 @@ class Origin(BaseModel):
     def is_unchanged(self) -> bool:
         """Whether files and code are still the same."""
         return (self.format == FORMAT and program_digest(self.plugins) == self.program
-                and all(content_digest(Path(path)) == digest for path, digest in self.read.items()))  # fmt: skip
+                and all(content_digest(Path(path)) == digest for path, digest in self.read.items()))
 
 
 def load_or_make_report(spec: Spec) -> SystemReport:

@@ -19,7 +19,7 @@ def publish(
     report: Report, json: bool, data: Path | None = None, figures: Path | None = None, *, written: Sequence[str] = (),
     removed: Sequence[str] | None = None, certificates: bool = False, following: str = "", read: Sequence[Path] = (),
     remarks: Sequence[str] = (),
-) -> None:  # fmt: skip
+) -> None:
     """Write a report's data and figures where asked for, and print it.
 
     Args:

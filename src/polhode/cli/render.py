@@ -28,7 +28,7 @@ def as_json(values: dict[str, Any]) -> str:
 def print_report(
     name: str, summary: str, groups: Iterable[Group | Table], notes: Sequence[str], files: Sequence[str],
     removed: Sequence[str] = (), certificates: bool = False, following: str = "",
-) -> None:  # fmt: skip
+) -> None:
     """Print a report, with the functions that verdicts rest on if asked for, and the command to try next.
 
     Parts that are empty are left out.

@@ -35,7 +35,7 @@ def read_figure_formats(named: list[str]) -> list[str]:
 
 def run_report(
     path: Path, json: bool, out: Path | None, figure_formats: list[str], html: bool = False, certificates: bool = False,
-) -> None:  # fmt: skip
+) -> None:
     """Read the spec, compute, write figures, dataset and, if asked for, page and more, and print the answers."""
     formats = read_figure_formats(figure_formats)
     spec = read_spec(path)
@@ -55,7 +55,7 @@ def run_report(
     removed = _remove_outdated(folder, [file.name for file in files])
     following = "; ".join(f"{spell_command(step.command, str(path))} {step.gives}" for step in next_steps(spec))
     publish(report, json, written=names, removed=removed, certificates=certificates, following=following,
-            remarks=[note for _, notes in more for note in notes])  # fmt: skip
+            remarks=[note for _, notes in more for note in notes])
 
 
 def _remove_outdated(folder: Path, written: list[str]) -> list[str]:

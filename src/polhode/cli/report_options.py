@@ -114,5 +114,5 @@ def write_more(report: Report) -> Iterator[tuple[Sequence[str], Sequence[str]]]:
         except Exception as error:  # whatever another package may do
             what = f"{type(error).__name__}: {one_line(str(error))}"
             raise InvalidInput(f"--{name}: the option of report {name} of another package fails ({what}). Update or "
-                               "remove it.") from error  # fmt: skip
+                               "remove it.") from error
         yield [str(file) for file in files], [str(note) for note in notes]

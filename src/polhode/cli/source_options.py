@@ -13,12 +13,12 @@ ClockOffset = Annotated[
     str | None,
     typer.Option("--offset", metavar="TIME",
                  help="A's time at B's time zero, like -68.5s; or start: both begin at the same moment."),
-]  # fmt: skip
+]
 AlignClock = Annotated[
     bool,
     typer.Option("--align-clock",
                  help="Find the offset of the clocks from the attitudes; of several, the nearest to --offset."),
-]  # fmt: skip
+]
 ClockKernel = Annotated[
     Path | None, typer.Option("--sclk", metavar="FILE", help="Clock kernel of a C-kernel (default: next to it, .tsc).")
 ]
@@ -32,7 +32,7 @@ SpiceId = Annotated[
     int | None,
     typer.Option("--spice-id", metavar="N", parser=whole_number(-(2**31), 2**31 - 1),
                  help="Whose attitude, of several in a kernel."),
-]  # fmt: skip
+]
 
 
 class KernelOptions(NamedTuple):

@@ -39,7 +39,7 @@ def build_course(checkout: Path) -> Path:
         done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", errors="replace")
         if done.returncode != 0:
             raise InvalidInput(f"Sphinx cannot build {one_line(str(sources))}: {_reason(done.stderr)}. Mend it, or "
-                               "give the folder of a built course as `folder`.")  # fmt: skip
+                               "give the folder of a built course as `folder`.")
         shutil.rmtree(built, ignore_errors=True)
         (draft / "learn").rename(built)
     finally:

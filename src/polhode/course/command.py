@@ -21,10 +21,10 @@ def run_learn(
     if sheet or key:
         if source is not None:
             raise InvalidInput(f"--from names a built course to open; got {shown(str(source))} with a worksheet, which "
-                               "needs none. Leave it out.")  # fmt: skip
+                               "needs none. Leave it out.")
         if sheet and key and out is not None:
             raise InvalidInput("--out names one file; with --worksheet and --key two are written. Leave it out, or "
-                               "write one at a time.")  # fmt: skip
+                               "write one at a time.")
         for one in [False] * sheet + [True] * key:
             _write_sheet(chapter, one, seed or 0, out)
         return

@@ -176,7 +176,7 @@ class Exercise(_Data):
             self._fill(self.text, values), values["answer"], self.unit, self.tolerance,
             tuple((float(evaluate(one.value, values)), one.hint) for one in self.mistakes),
             self._fill(self.solution, values),
-        )  # fmt: skip
+        )
 
     def values(self, seed: int) -> dict[str, Any]:
         """Return the numbers of a seed by name, `where` and `answer` included; see ``draw``."""
@@ -187,7 +187,7 @@ class Exercise(_Data):
                 break
         else:
             raise InvalidInput(f"exercise {self.name}: no numbers of {LIMITS.max_draws} fulfil `require`; got "
-                               f"{shown(self.require)}. Widen the ranges.")  # fmt: skip
+                               f"{shown(self.require)}. Widen the ranges.")
         for name, expression in self.where.items():
             values[name] = evaluate(expression, values)
         values["answer"] = float(evaluate(self.answer, values))
@@ -269,7 +269,7 @@ class Chapter(_Data):
                 return one
         names = [one.name for one in (*self.exercises, *self.choices)]
         raise InvalidInput(f"an exercise of “{self.title}” must be one of {', '.join(names)}; got {shown(name)}."
-                           f"{suggest_name(name, names)}")  # fmt: skip
+                           f"{suggest_name(name, names)}")
 
 
 def chapter_names() -> list[str]:
@@ -310,7 +310,7 @@ def choose_chapter(names: Collection[str], chapter: str) -> str:
     name = by_number.get(chapter.lstrip("0"), chapter)
     if name not in names:
         raise InvalidInput(f"a chapter must be a number from 1 to {len(names)} or one of {', '.join(names)}; "
-                           f"got {shown(chapter)}.{suggest_name(chapter, list(names))}")  # fmt: skip
+                           f"got {shown(chapter)}.{suggest_name(chapter, list(names))}")
     return name
 
 

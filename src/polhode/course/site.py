@@ -35,7 +35,7 @@ def built_course(folder: str | Path | None = None) -> Path:
         if page.is_file() and (page.parent / "panels").is_dir():
             return page
     raise InvalidInput(f"`folder` must be the folder of a built course or of the built documentation; got "
-                       f"{shown(str(folder))}, which holds no course.")  # fmt: skip
+                       f"{shown(str(folder))}, which holds no course.")
 
 
 def page_of_chapter(front: Path, chapter: str) -> Path:

@@ -53,7 +53,7 @@ def _tier(data: Chapter, tier: str, seed: int, *, key: bool) -> str:
                     f" <b>{'Right' if option.right else 'Wrong'}.</b> {html.escape(option.response)}" if key else ""
                 ) + "</li>"
                 for option in one.options
-            )  # fmt: skip
+            )
             items.append(f'<li>{html.escape(one.text)}<ol type="a">{options}</ol></li>')
     items += [_question(one.draw(seed), key=key) for one in data.exercises if one.tier == tier]
     return f"<h2>{tier.capitalize()}</h2>\n<ol>{''.join(items)}</ol>\n" if items else ""
@@ -70,4 +70,4 @@ def _question(question: Question, *, key: bool) -> str:
         f'{text}<p class="answer"><b>{question.answer:.5g} {unit}</b> (within {100 * question.tolerance:.2g} %)</p>'
         f'<p class="solution">{html.escape(question.solution)}</p>'
         + (f"<p>Mistakes that the course recognises:</p><ul>{mistakes}</ul>" if mistakes else "") + "</li>"
-    )  # fmt: skip
+    )

@@ -40,7 +40,7 @@ class System(Protocol):
 def take_last_steps(
     system: System, x: Float64[Array, "p"], low: Float64[Array, "p"], high: Float64[Array, "p"],
     robust: float | Float64[Array, "m"] = np.inf,
-) -> tuple[Float64[Array, "p"], Float64[Array, "p"]]:  # fmt: skip
+) -> tuple[Float64[Array, "p"], Float64[Array, "p"]]:
     """Return the minimum by steps of Gauss and Newton, and the last of them: what the iteration leaves undone.
 
     Args:

@@ -57,7 +57,7 @@ def accumulate_walk(influence: Complex128[Array, "n k"]) -> Complex128[Array, "n
 
 def noise_about(
     times: Float64[Array, "n"], left: Complex128[Array, "n"], removed: Complex128[Array, "n r"], rate: float,
-) -> LineNoise:  # fmt: skip
+) -> LineNoise:
     """Return noise about the line of a wobble, by Whittle's likelihood of what is left around it.
 
     Args:
@@ -82,7 +82,7 @@ def noise_about(
 
     starts = [np.log([level * a, level * b / size]) for a, b in ((0.9, 1e-2), (0.3, 0.7))]
     best = min((minimize(cost, start, method="Nelder-Mead", options={"xatol": 1e-3, "fatol": 1e-4})
-                for start in starts), key=lambda minimum: minimum.fun)  # fmt: skip
+                for start in starts), key=lambda minimum: minimum.fun)
     both = np.exp(best.x)
     basis = np.stack([white, walk])
     shares = (both[:, None] * basis).sum(axis=1) / (both @ basis).sum()
@@ -116,7 +116,7 @@ def level_at(
 def _expect_powers(
     times: Float64[Array, "n"], left: Complex128[Array, "n"], removed: Complex128[Array, "n r"],
     rates: Float64[Array, "k"], line: float,
-) -> tuple[Float64[Array, "k"], Float64[Array, "k"], Float64[Array, "k"]]:  # fmt: skip
+) -> tuple[Float64[Array, "k"], Float64[Array, "k"], Float64[Array, "k"]]:
     """Return powers at rates, and their expectations for white noise and for a walk of unit variance."""
     waves = np.exp(1j * np.outer(times, rates)) / np.sqrt(len(times))
     power = np.abs(waves.conj().T @ left) ** 2

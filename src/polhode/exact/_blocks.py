@@ -51,7 +51,7 @@ def units(xp: Any, shape: tuple[int, ...], sizes: tuple[int, ...]) -> list[Float
     starts = [sum(sizes[:k]) for k in range(len(sizes))]
     parts = (whole[:, a : a + n] for a, n in zip(starts, sizes, strict=True))
     return [xp.broadcast_to(part.reshape(len(whole), *(1,) * len(shape), -1), (len(whole), *shape, part.shape[-1]))
-            for part in parts]  # fmt: skip
+            for part in parts]
 
 
 def in_blocks(

@@ -152,7 +152,7 @@ class ClosedForm:
     def states(
         self, columns: Float64[np.ndarray, "columns *bodies"], elapsed: Float64[Array, "..."],
         rest: Float64[Array, "..."],
-    ) -> tuple[Float64[np.ndarray, "*shape 4"], Float64[np.ndarray, "*shape 3"]]:  # fmt: skip
+    ) -> tuple[Float64[np.ndarray, "*shape 4"], Float64[np.ndarray, "*shape 3"]]:
         """Return attitude (…, 4) and momentum (…, 3) at times since the epoch, which broadcast against the bodies."""
         batch = np.shape(columns)[1:]
         shape = np.broadcast_shapes(batch, np.shape(elapsed))

@@ -49,12 +49,12 @@ def axis_locus(shown: LagrangeMotion | Trajectory, *, axes: Any = None) -> Figur
     mark_point(axes, frame, curve[0])
     up = frame @ np.array([0.0, 0.0, 1.0])
     axes.annotate("", (1.22 * up[0], 1.22 * up[1]), (up[0], up[1]),
-                  arrowprops={"arrowstyle": "->", "color": style.DARK, "lw": 0.8})  # fmt: skip
+                  arrowprops={"arrowstyle": "->", "color": style.DARK, "lw": 0.8})
     axes.text(1.28 * up[0], 1.28 * up[1], "up", fontsize=style.FONT, ha="center", va="bottom", color=style.DARK)
     handles = [axes.plot([], [], color=style.BLUE, lw=1.2, label="axis of the top")[0]]
     if limits:
         handles.append(axes.plot([], [], color=style.VERMILION, lw=0.7, label="limits of its tilt")[0])
     axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=2, fontsize=style.FONT - 1,
-                frameon=False, handlelength=1.6)  # fmt: skip
+                frameon=False, handlelength=1.6)
     axes.set_title(f"Path of the axis{kind}{path.words}", fontsize=style.FONT, color=style.DARK)
     return figure

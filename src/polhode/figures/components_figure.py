@@ -42,7 +42,7 @@ def components(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure:
         power = style.power_of_ten(values)
         for k in range(3):
             panel.plot(times / 10.0**slow, values[:, k] * 10.0 ** (larger[k] - power), color=style.AXIS_COLOURS[k],
-                       lw=1.1, ls=("-", "--", "-.")[k], label=style.magnify(f"axis {k + 1}", larger[k]))  # fmt: skip
+                       lw=1.1, ls=("-", "--", "-.")[k], label=style.magnify(f"axis {k + 1}", larger[k]))
         panel.set_ylabel(f"{symbol}  [{style.factor(power)}{unit}]")
         panel.axhline(0.0, color=style.LIGHT, lw=0.6, zorder=0)
         panel.set_xlim(start / 10.0**slow, end / 10.0**slow)

@@ -68,7 +68,7 @@ def inertia_ellipsoid(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Fi
     _legend(scene, motion.regime in ("permanent", "spherical"), bool(family), bool(great))
     sizes = ", ".join(f"{x / 10.0**power:.4g}" for x in semi)
     scene.axes.set_title(f"Inertia ellipsoid, body axes\nsemi-axes 1/√I: {sizes}  [{style.factor(power)}"
-                         "(kg m²)$^{-1/2}$]", fontsize=style.FONT, color=style.DARK)  # fmt: skip
+                         "(kg m²)$^{-1/2}$]", fontsize=style.FONT, color=style.DARK)
     return figure
 
 
@@ -86,7 +86,7 @@ def _axes(scene: Scene, shape: Array) -> None:
         scene.line(np.linspace(-shape[k] * axis, (shape[k] + 0.16) * axis, 120), style.DARK, 0.7, dim=0.18)
         x, y, _ = scene.project((shape[k] + 0.27) * axis)
         scene.axes.text(x, y, f"$x_{k + 1}$", fontsize=style.FONT + 1, ha="center", va="center", color=style.DARK,
-                        zorder=6, bbox={"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85})  # fmt: skip
+                        zorder=6, bbox={"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85})
 
 
 def _direction(scene: Scene, curve: Array) -> None:
@@ -102,13 +102,13 @@ def _direction(scene: Scene, curve: Array) -> None:
             continue
         scene.axes.annotate("", (x[ahead], y[ahead]), (x[k], y[k]), zorder=5, arrowprops={
             "arrowstyle": "-|>,head_width=0.22,head_length=0.45", "color": style.BLUE, "lw": 0.8, "mutation_scale": 10,
-            "shrinkA": 0, "shrinkB": 0})  # fmt: skip
+            "shrinkA": 0, "shrinkB": 0})
 
 
 def _mark(scene: Scene, point: Array) -> None:
     x, y, _ = scene.project(point)
     scene.axes.plot([x], [y], "o", ms=4, color=style.BLUE, mec="white", mew=0.6, zorder=5.5,
-                    alpha=1.0 if scene.is_visible(point) else 0.4)  # fmt: skip
+                    alpha=1.0 if scene.is_visible(point) else 0.4)
 
 
 def _legend(scene: Scene, still: bool, family: bool, great: bool) -> None:
@@ -119,4 +119,4 @@ def _legend(scene: Scene, still: bool, family: bool, great: bool) -> None:
     if family:
         handles.append(scene.axes.plot([], [], color=style.GREY, lw=0.5, label="other polhodes")[0])
     scene.axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3, frameon=False,
-                      fontsize=style.FONT - 1, handlelength=1.6, columnspacing=1.2)  # fmt: skip
+                      fontsize=style.FONT - 1, handlelength=1.6, columnspacing=1.2)

@@ -32,7 +32,7 @@ def draw_levels(
         axes.add_collection(LineCollection(
             list(np.stack([x[facing], y[facing]], axis=-1)), colors=colour, linewidths=width, capstyle="butt",
             alpha=1.0 if front else 0.25, zorder=2 if front else 1,
-        ), autolim=False)  # fmt: skip
+        ), autolim=False)
 
 
 def mark_verdict(axes: Any, frame: Float64[Array, "3 3"], point: Float64[Array, "3"], verdict: str) -> None:
@@ -50,7 +50,7 @@ def label_axes(axes: Any, frame: Float64[Array, "3 3"], names: Sequence[str] = (
         reach, beyond = 1.0 + 0.12 / size, 1.0 + 0.22 / size
         axes.plot([x, reach * x], [y, reach * y], color=style.DARK, lw=0.7, zorder=4)
         axes.text(beyond * x, beyond * y, name, fontsize=style.FONT + 1, ha="center", va="center", color=style.DARK,
-                  zorder=6, bbox={"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85})  # fmt: skip
+                  zorder=6, bbox={"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85})
 
 
 def draw_legend(axes: Any, lines: Sequence[tuple[str, str, float]], verdicts: Sequence[str]) -> None:
@@ -61,7 +61,7 @@ def draw_legend(axes: Any, lines: Sequence[tuple[str, str, float]], verdicts: Se
             shape, colour = MARKS[word]
             handles.append(axes.plot([], [], shape, color=colour, ms=5, mec="white", mew=0.6, label=word)[0])
     axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=3, fontsize=style.FONT - 1,
-                frameon=False, handlelength=1.6, columnspacing=1.2)  # fmt: skip
+                frameon=False, handlelength=1.6, columnspacing=1.2)
 
 
 def default_frame() -> Float64[np.ndarray, "3 3"]:

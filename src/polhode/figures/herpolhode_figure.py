@@ -41,7 +41,7 @@ def herpolhode(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figure | 
     distinct = limits.outer_radius - limits.inner_radius > line_width * limits.outer_radius
     for radius in () if not distinct else {limits.inner_radius / 10.0**power, outer}:
         axes.plot(radius * np.cos(circle), radius * np.sin(circle), color=style.VERMILION, lw=0.7, ls="--", zorder=1,
-                  label="its limits" if radius == outer else None)  # fmt: skip
+                  label="its limits" if radius == outer else None)
     axes.plot(*curve.T, color=style.HERPOLHODE, lw=0.9, label="herpolhode")
     axes.plot(*curve[0], "o", ms=3.5, color=style.HERPOLHODE, mec="white", mew=0.5)
     axes.plot(0.0, 0.0, "+", color=style.DARK, ms=6, mew=0.8)

@@ -51,11 +51,11 @@ def parts(trajectory: Trajectory, *, axes: Any = None) -> Figure:
         count = min(values.shape[1], most)
         for k in range(count):
             panel.plot(times / 10.0**slow, values[:, k] / 10.0**power, color=COLOURS[k], lw=1.0, ls=FORMS[k % 4],
-                       marker="o" if len(times) == 1 else None, ms=3, label=_label(part, k))  # fmt: skip
+                       marker="o" if len(times) == 1 else None, ms=3, label=_label(part, k))
         panel.set_ylabel(_title(part, power, values.shape[1], count))
         if count > 1:
             panel.legend(fontsize=style.FONT - 2, frameon=False, ncols=count, loc="lower right", borderaxespad=0.1,
-                         bbox_to_anchor=(1.0, 1.0), handlelength=1.6, columnspacing=1.0)  # fmt: skip
+                         bbox_to_anchor=(1.0, 1.0), handlelength=1.6, columnspacing=1.0)
         if len(times) > 1:
             panel.set_xlim(times[0] / 10.0**slow, times[-1] / 10.0**slow)
         style.tidy(panel)

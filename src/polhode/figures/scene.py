@@ -178,7 +178,7 @@ class Scene:
             wide = wide | np.roll(wide, 1) if front else wide
             self.axes.plot(np.where(wide, x, np.nan), np.where(wide, y, np.nan), color=colour, lw=width, ls=form,
                            alpha=1.0 if front else dim, zorder=over if front else over - 0.5,
-                           solid_capstyle="round")  # fmt: skip
+                           solid_capstyle="round")
 
     def arrow(
         self,
@@ -195,11 +195,11 @@ class Scene:
         if long > 0.02 * self.size:
             self.axes.annotate("", (x1, y1), (x0, y0), zorder=6, arrowprops={
                 "arrowstyle": "-|>,head_width=0.22,head_length=0.5", "color": colour, "lw": 1.5, "shrinkA": 0,
-                "shrinkB": 0, "mutation_scale": 9, "capstyle": "round"})  # fmt: skip
+                "shrinkB": 0, "mutation_scale": 9, "capstyle": "round"})
         away = np.array([x1 - x0, y1 - y0]) / (long or 1.0)
         self.axes.annotate(name, (x1, y1), tuple(7.0 * away + np.asarray(side)), textcoords="offset points", zorder=7,
                            ha="center", va="center", color=colour, fontsize=style.FONT + 1, fontweight="bold",
-                           bbox={"fc": "white", "ec": "none", "pad": 0.4, "alpha": 0.75})  # fmt: skip
+                           bbox={"fc": "white", "ec": "none", "pad": 0.4, "alpha": 0.75})
 
 
 def _rows(corners: Array, lowest: Array, highest: Array) -> tuple[Array, Array, Array, Array]:

@@ -39,7 +39,7 @@ def draw_curve(
         # keep one neighbour so that both halves meet at the rim
         wide = facing | np.roll(facing, 1)
         axes.plot(np.where(wide, x, np.nan), np.where(wide, y, np.nan), color=colour, lw=width,
-                  alpha=1.0 if front else 0.25, zorder=3 if front else 1, solid_capstyle="round")  # fmt: skip
+                  alpha=1.0 if front else 0.25, zorder=3 if front else 1, solid_capstyle="round")
 
 
 def mark_point(axes: Any, frame: Float64[Array, "3 3"], point: Float64[Array, "3"]) -> None:

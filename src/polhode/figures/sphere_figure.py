@@ -60,7 +60,7 @@ def momentum_sphere(shown: FreeMotion | Trajectory, *, axes: Any = None) -> Figu
     if moments[0] < moments[1] < moments[2]:
         handles.insert(1, axes.plot([], [], color=style.VERMILION, lw=0.9, label="separatrix")[0])
     axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=3, fontsize=style.FONT - 1,
-                frameon=False, handlelength=1.6, columnspacing=1.2)  # fmt: skip
+                frameon=False, handlelength=1.6, columnspacing=1.2)
     axes.set_title("Momentum sphere, body axes", fontsize=style.FONT, color=style.DARK)
     return figure
 
@@ -73,4 +73,4 @@ def _label(axes: Any, frame: Array, k: int) -> None:
     axes.plot([x], [y], ".", color=style.DARK, ms=2.5, zorder=4)
     beyond = reach + 0.10 / size
     axes.text(beyond * x, beyond * y, f"$L_{k + 1}$", fontsize=style.FONT + 1, ha="center", va="center",
-              color=style.DARK, zorder=6, bbox={"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85})  # fmt: skip
+              color=style.DARK, zorder=6, bbox={"fc": "white", "ec": "none", "pad": 0.6, "alpha": 0.85})

@@ -38,7 +38,7 @@ def top_motion(shown: LagrangeMotion | Trajectory, *, axes: Any = None) -> Figur
     larger = style.magnifications(velocity, lost)
     for k in range(3):
         lower.plot(times / 10.0**slow, velocity[:, k] * 10.0 ** (larger[k] - power), color=style.AXIS_COLOURS[k],
-                   lw=1.0, ls=("-", "--", "-.")[k], label=style.magnify(f"axis {k + 1}", larger[k]))  # fmt: skip
+                   lw=1.0, ls=("-", "--", "-.")[k], label=style.magnify(f"axis {k + 1}", larger[k]))
     lower.set_ylabel(f"Ω  [{style.factor(power)}rad/s]")
     style.label_time((upper, lower), f"time{words}  [{style.factor(slow)}s]")
     for panel in (upper, lower):

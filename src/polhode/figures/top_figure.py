@@ -72,7 +72,7 @@ def spinning_top(
     _arrows(scene, path, k, arm / reach * axis)
     handles.insert(0, scene.axes.plot([], [], color=style.BLUE, lw=1.1, label="tip of the axis")[0])
     scene.axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=2, frameon=False,
-                      fontsize=style.FONT - 1, handlelength=1.6, columnspacing=1.4)  # fmt: skip
+                      fontsize=style.FONT - 1, handlelength=1.6, columnspacing=1.4)
     lean = np.degrees(np.arccos(np.clip(axis[2], -1.0, 1.0)))
     part = ", precessing steadily" if _is_steady(path) else path.words
     scene.axes.set_title(f"Top leaning by {lean:.3g}°{part}{words}", fontsize=style.FONT, color=style.DARK)
@@ -138,7 +138,7 @@ def _cones(scene: Scene, path: Followed, k: int) -> list[Any]:
     if steady and speed > 0.0:
         omega = path.velocity[k] / speed
         for about, colour, words in ((up, style.HERPOLHODE, "space cone of Ω"),
-                                     (axis, style.BODY_CONE, "body cone of Ω")):  # fmt: skip
+                                     (axis, style.BODY_CONE, "body cone of Ω")):
             half = float(np.arctan2(np.linalg.norm(np.cross(about, omega)), about @ omega))
             draw_cone(scene, about, half, slant, colour)
             handles.append(scene.axes.plot([], [], color=colour, lw=0.9, label=words)[0])
@@ -159,7 +159,7 @@ def _arrows(scene: Scene, path: Followed, k: int, center: Array) -> None:
     right, up, _ = scene.frame @ path.axis[k]
     across = np.array([-up, right]) / (np.hypot(right, up) or 1.0)
     for vector, colour, name, long, side in ((path.momentum[k], style.MOMENTUM, "L", L_LONG, 9.0),
-                                             (path.velocity[k], style.VELOCITY, "Ω", OMEGA_LONG, -9.0)):  # fmt: skip
+                                             (path.velocity[k], style.VELOCITY, "Ω", OMEGA_LONG, -9.0)):
         size = np.linalg.norm(vector)
         if size > 0.0:
             scene.arrow(np.zeros(3), long * vector / size, colour, name, side=side * across)

@@ -84,7 +84,7 @@ def farthest_turn(trajectory: Trajectory) -> float:
 def _evenly(lasts: float, intervals: float) -> Array:
     if intervals >= LIMITS.max_keys:
         raise InvalidInput(f"an animation of {intervals:.3g} keys is more than the {LIMITS.max_keys} that viewers "
-                           "bear. Take a shorter time, or a lower rate.")  # fmt: skip
+                           "bear. Take a shorter time, or a lower rate.")
     return np.linspace(0.0, lasts, math.ceil(intervals) + 1)
 
 

@@ -25,7 +25,7 @@ Quaternions = Float64[Array, "rows 4"]
 def make_attitude(
     path: Path, table: PlainTable, values: Float64[Array, "rows columns"], mapping: ColumnMapping, letters: str,
     angle_unit: str,
-) -> tuple[Quaternions, float | None]:  # fmt: skip
+) -> tuple[Quaternions, float | None]:
     """Return the attitude (n, 4) as the file has it, and the largest deviation from a rotation, None for angles.
 
     Args:
@@ -106,7 +106,7 @@ def _from_vectors(path: Path, table: PlainTable, values: Array) -> tuple[Array, 
             f"{path}, line {table.lines[row]}: the vector part of a quaternion must be at most 1 long; got "
             f"{lengths[row]:.6g} from {values[row].tolist()}. Check which columns it has; modified Rodrigues "
             "parameters are given by `mrp`."
-        )  # fmt: skip
+        )
     return restore_scalars(values / (1.0 + over)[:, None]), float(over.max())
 
 
@@ -136,6 +136,6 @@ def nearest_rotations(
     if mirrored.any():
         row = int(np.argmax(mirrored))
         raise FormatError(f"{where} {lines[row]}: the matrix is a reflection, det R = −1, and no rotation. Flip "
-                          "the sign of one axis in the file.")  # fmt: skip
+                          "the sign of one axis in the file.")
     left, _, right = np.linalg.svd(matrices)
     return rotation.from_matrix(left @ right), float(misfit.max())

@@ -177,7 +177,7 @@ def _read_instants(path: Path, form: TableForm, clock: ClockColumns, rows: Rows)
         remarks.append(note)
     if kind == "gps" and len(clock.columns) == 2 and _weeks(rows, first) < ROLLOVER:
         remarks.append(f"its weeks are below {ROLLOVER}; if the receiver counts them modulo {ROLLOVER}, its epoch is "
-                       "too early by as many.")  # fmt: skip
+                       "too early by as many.")
     return Clock(times, Decimal(0), (shortest(zero, system), system), resolution, tuple(remarks))
 
 
@@ -197,7 +197,7 @@ def _read_moment(text: str, system: str, said: bool) -> tuple[int, int]:
         raise ValueError(f"{shown(text)} is in UTC by its zone, and {system} was said")
     if not (zoned or said):
         raise ValueError(f"{shown(text)} has no zone, and the first date of the column has one; say `time_system` UTC "
-                         "if both are in UTC")  # fmt: skip
+                         "if both are in UTC")
     return read_epoch(date, system)
 
 
@@ -233,11 +233,11 @@ def _system(path: Path, form: TableForm, clock: ClockColumns, row: Sequence[str]
             own = None
     if own and clock.system and own != clock.system:
         raise InvalidInput(f"{path}: {name_column(form, clock.columns[0])} counts in {own}, and {clock.system} is "
-                           "said. Leave `time_system` out.")  # fmt: skip
+                           "said. Leave `time_system` out.")
     system = own or clock.system
     if system is None:
         raise InvalidInput(f"{path}: the time system of {name_column(form, clock.columns[0])} is not known. Say it by "
-                           "`time_system` UTC|TAI|TT|TDB|GPS.")  # fmt: skip
+                           "`time_system` UTC|TAI|TT|TDB|GPS.")
     return system
 
 

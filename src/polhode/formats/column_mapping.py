@@ -196,7 +196,7 @@ def _columns(value: Any, name: str, wanted: int, problems: list[str]) -> Columns
         return None
     matrix = "r11,r12,r13,r21,r22,r23,r31,r32,r33"
     example = {"quat": "qw,qx,qy,qz", "matrix": matrix, "mrp": "s1,s2,s3", "euler": "yaw,pitch,roll",
-               "gyro": "gx,gy,gz"}[name]  # fmt: skip
+               "gyro": "gx,gy,gz"}[name]
     columns = tuple(word.strip() for word in value.split(",")) if isinstance(value, str) else value
     if not isinstance(columns, list | tuple) or not all(map(_is_column, columns)):
         problems.append(f'{name} must be columns by name or number, like "{example}"; got {shown(value)}.')

@@ -139,7 +139,7 @@ def agreement(
 def find_direction(
     path: Path, times: Float64[Array, "rows"], attitude: Float64[Array, "rows 4"],
     velocity: Float64[Array, "rows 3"] | None,
-) -> bool:  # fmt: skip
+) -> bool:
     """Return whether rotations take space to body, as the angular velocity shows.
 
     Raises:

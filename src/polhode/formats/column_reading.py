@@ -29,7 +29,7 @@ from polhode.motion._trajectory import Trajectory
 def read_timed(
     path: Path, form: TableForm, time: ClockColumns, columns: Sequence[int], decimal: str,
     progress: Callable[[int], None] | None = None,
-) -> tuple[PlainTable, Clock]:  # fmt: skip
+) -> tuple[PlainTable, Clock]:
     """Return the columns of a table with times [s] before them, NaN where there is none, and the clock.
 
     Raises:
@@ -106,14 +106,14 @@ def read_columns(path: str | Path, mapping: ColumnMapping) -> Trajectory:
         rates_apart=agreement(times, attitude, velocity),
         notes=(*resolved.notes, *clock.notes, *_spread_note(spread)),
         counted_from=in_words(clock.begin) if clock.begin else None, time_resolution=clock.resolution,
-    )  # fmt: skip
+    )
     parts = [part for part, value in ((ATTITUDE, attitude), (ANGULAR_VELOCITY, velocity)) if value is not None][:1]
     states = velocity if attitude is None else attitude
     assert states is not None
     return Trajectory(
         times, states, StateLayout(tuple(parts)), attitude, None, velocity, outcome=Outcome(Ending.RECORDED),
         source=Recording(path.name, _labels(clock), understood._asdict()),
-    )  # fmt: skip
+    )
 
 
 def _find_filled(path: Path, form: TableForm, columns: tuple[int, ...], table: PlainTable) -> np.ndarray:
@@ -129,7 +129,7 @@ def _find_filled(path: Path, form: TableForm, columns: tuple[int, ...], table: P
         row = int(np.argmax(partly))
         where = f"{path}, line {table.lines[row]}, {name_column(form, columns[int(np.argmax(missing[row]))])}"
         raise FormatError(f"{where}: has no value, and others of the line have. Delete the line, or map only columns "
-                          "that are filled together.")  # fmt: skip
+                          "that are filled together.")
     if empty.all():
         raise FormatError(f"{path}: no line has values in the columns asked for. Choose other columns.")
     return ~empty
@@ -173,7 +173,7 @@ def _spread_note(spread: int) -> tuple[str, ...]:
     if not spread:
         return ()
     note = (f"its clock is rounded: {spread} lines come at a time that was there already, with other values; they are "
-            "taken at equal steps.")  # fmt: skip
+            "taken at equal steps.")
     return (note,)
 
 

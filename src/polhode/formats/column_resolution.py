@@ -21,7 +21,7 @@ from polhode.formats.header_words import (
     entries_in,
     explain_vector_names,
     unit_in,
-)  # fmt: skip
+)
 from polhode.formats.plain_table import name_column
 from polhode.formats.table_form import TableForm
 
@@ -86,7 +86,7 @@ def resolve_mapping(path: Path, form: TableForm, mapping: ColumnMapping) -> Reso
         letters = _letters(names, mapping.order, problems)
     if mapping.quat and len(groups["attitude"]) == 3 and (why := explain_vector_names(names, form.names)):
         problems.append(f"the quaternion has three columns, {', '.join(names)}, which are its vector part x, y, z, and "
-                        f"{why}. Give four, w, x, y, z, or the vector part alone.")  # fmt: skip
+                        f"{why}. Give four, w, x, y, z, or the vector part alone.")
     if mapping.matrix and len(groups["attitude"]) == 9:
         letters = entries_in(names) or ENTRIES
     if mapping.decimal == "comma" and form.delimiter == ",":
@@ -95,7 +95,7 @@ def resolve_mapping(path: Path, form: TableForm, mapping: ColumnMapping) -> Reso
         raise InvalidInput(*(f"{path}: {problem}" for problem in problems))
     clock = ClockColumns(groups["time"], time_units, mapping.time_system)
     return Resolved(clock, groups["attitude"], letters, angle_unit, groups["gyro"], rate_unit,
-                    tuple(notes))  # fmt: skip
+                    tuple(notes))
 
 
 def _time_columns(form: TableForm, time: object) -> tuple[str | int, ...]:
@@ -112,7 +112,7 @@ def _time_columns(form: TableForm, time: object) -> tuple[str | int, ...]:
 def _find_time_units(
     path: Path, form: TableForm, mapping: ColumnMapping, places: tuple[int, ...], unit: Callable[..., str],
     problems: list[str],
-) -> tuple[str, ...]:  # fmt: skip
+) -> tuple[str, ...]:
     """Return the unit of each column of times, or the kind of calendar that they are of."""
     said = None if mapping.time_unit is None else tuple(map(str, mapping.time_unit))
     if len(places) == 1 and (said is None or len(said) == 1):
@@ -122,7 +122,7 @@ def _find_time_units(
             calendar = bare_name(named)
         if calendar is None and said is None and (odd := first_odd_cell(path, form, places[0])):
             problems.append(f"{name_column(form, places[0])} begins with {shown(odd)}, which is neither a number nor a "
-                            "date or time of day. Write dates like 2026-03-01T12:00:00.")  # fmt: skip
+                            "date or time of day. Write dates like 2026-03-01T12:00:00.")
             return ("",)
         if calendar:
             return (calendar,)
@@ -133,7 +133,7 @@ def _find_time_units(
         problems.append("two columns of times need a unit each, like `time_unit` s,ns, or gps for weeks and seconds.")
     if len(places) == 1 and said is not None:
         problems.append(f"`time_unit` has {len(said)} units, and one column has the times. Give one, or name both "
-                        "columns by `time`.")  # fmt: skip
+                        "columns by `time`.")
     return said or ("",)
 
 
@@ -142,7 +142,7 @@ def _letters(names: list[str], order: str | None, problems: list[str]) -> str:
     letters = components_in(names)
     if order is None and letters is None:
         problems.append("the order of the quaternion is not known: its columns are not named by w, x, y and z. Say it "
-                        f"by `order` {'|'.join(ORDERS)}.")  # fmt: skip
+                        f"by `order` {'|'.join(ORDERS)}.")
     if order and letters and order != letters:
         problems.append(f"order is {order}, and the columns are named in the order {letters}. Correct one of them.")
     return order or letters or ""

@@ -142,7 +142,7 @@ def read_csv(path: str | Path) -> Trajectory:
     return Trajectory(
         times, states, StateLayout(tuple(named)), attitude, momentum, velocity, others,
         outcome=Outcome(Ending.RECORDED), source=Recording(path.name),
-    )  # fmt: skip
+    )
 
 
 def _read_table(path: Path) -> tuple[list[str], Array]:

@@ -139,7 +139,7 @@ def _check_frame(path: Path, name: str, variable: Any) -> None:
     dims, shape = FRAME[name]
     if tuple(variable.dims) != dims or variable.shape != shape:
         _refuse(path, f"{name} must be along {dims} of lengths {shape}; it is along {shown(variable.dims)} of "
-                      f"{shown(variable.shape)}")  # fmt: skip
+                      f"{shown(variable.shape)}")
 
 
 def _check_axes(path: Path, variables: dict[str, Any]) -> None:

@@ -126,7 +126,7 @@ class Form:
             except Exception as error:
                 what = f"{type(error).__name__}: {one_line(str(error))}"
                 raise InvalidInput(f"{path}: the format {self.name} of another package cannot write it ({what}). "
-                                   "Update the package.") from error  # fmt: skip
+                                   "Update the package.") from error
             if not draft.exists():
                 raise InvalidInput(f"{path}: the format {self.name} of another package wrote nothing. Update it.")
         return path

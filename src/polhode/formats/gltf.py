@@ -141,7 +141,7 @@ def _add_body(
     body = glb.node(name, place, **({} if solid is None else glb.mesh((solid, body_color))))
     arrow = _arrow(length)
     three = glb.mesh(*((Surface(arrow.vertices @ turn, arrow.faces), color)
-                        for turn, color in zip(TO_AXES, axis_colors, strict=True)))  # fmt: skip
+                        for turn, color in zip(TO_AXES, axis_colors, strict=True)))
     axes = np.eye(3) if frame is None else np.asarray(frame.axes)
     called = "body axes" if frame is None else "principal axes"
     glb.node(called, body, **three, rotation=_xyzw(rotation.from_matrix(axes)).tolist())
@@ -160,7 +160,7 @@ def _add_momentum(glb: Glb, place: int, keyed: Trajectory, length: float) -> lis
     toward = momentum / size
     turns = rotation.shortest_between((0.0, 0.0, 1.0), toward)
     arrow = glb.node("angular momentum", place, **glb.mesh((_arrow(length), momentum_color)),
-                      rotation=_xyzw(turns[0]).tolist())  # fmt: skip
+                      rotation=_xyzw(turns[0]).tolist())
     moves = np.abs(toward - toward[0]).max() > LIMITS.max_steady_change
     return [(arrow, "rotation", _xyzw(_continuous(turns)))] if moves else []
 

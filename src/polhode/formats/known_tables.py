@@ -38,7 +38,7 @@ def make_table_form(
         words = words_for(table_form(path).names)
         if words is None:
             raise FormatError(f"{path}: begins like {title} and has other columns. Say what they are, by `time` and "
-                              "`quat`.")  # fmt: skip
+                              "`quat`.")
         return read_columns(path, make_mapping(words))
 
     def begins(head: bytes) -> bool:

@@ -70,7 +70,7 @@ def read_leap_seconds(path: Path) -> LeapSeconds:
     offsets = [offset for *_, offset in table]
     if days[0] != FIRST_DAY or offsets != list(range(FIRST_OFFSET, FIRST_OFFSET + len(table))):
         raise FormatError(f"{path}: TAI − UTC must be 10 s in 1972 and rise by one second at a time, which is all that "
-                          "polhode knows. Give times in TAI.")  # fmt: skip
+                          "polhode knows. Give times in TAI.")
     day, month, year = expires[0].groups()
     return LeapSeconds(tuple(days[1:]), (date(int(year), _MONTHS.index(month) + 1, int(day)) - ORIGIN).days)
 

@@ -75,7 +75,7 @@ def load_mesh(path: str | Path, unit: float | None = None, repair: bool = False)
     path = as_path("path", path)
     if unit is None and not names_its_unit(path):
         raise InvalidInput(f"{path}: `unit` is missing, a length in metres like 1e-3; of mesh files only 3MF and DAE "
-                           "name theirs.")  # fmt: skip
+                           "name theirs.")
     if unit is not None and (isinstance(unit, str) or not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0)):
         raise InvalidInput(f"`unit` must be a positive length in metres, like 1e-3 for millimetres; got {shown(unit)}.")
     vertices, faces, unit = _load(path, read_file(path, "mesh", LARGEST_FILE), unit)
@@ -87,7 +87,7 @@ def load_mesh(path: str | Path, unit: float | None = None, repair: bool = False)
         raise FormatError(f"{path}: a face has a corner that is not there, of {len(vertices)}. Export it again.")
     if (extent := float(np.abs(vertices).max())) > LIMITS.max_extent / unit:
         raise FormatError(f"{path}: a corner is {extent:.3g} of its units away, and no body is that large. Check the "
-                          "file and its unit.")  # fmt: skip
+                          "file and its unit.")
     vertices, faces = _merge(vertices, faces.astype(np.int64))
     if not repair:
         return LoadedMesh(vertices * unit, faces)
@@ -110,7 +110,7 @@ def body_of_mesh(
     """Return the body that a mesh from a file bounds, which was repaired there if that was asked for."""
     return Body(*mass_properties(
         read.vertices, read.faces, mass=mass, density=density, several=several, repaired=repaired
-    ))  # fmt: skip
+    ))
 
 
 def _say(changes: tuple[str, ...], merged: int) -> tuple[str, ...]:
@@ -151,7 +151,7 @@ def _load(path: Path, content: bytes, unit: float | None) -> tuple[Array, Array,
             # older NumPy warns where it stops at a word that is not a number
             warnings.filterwarnings("error", message="string or file could not be read")
             mesh: Any = trimesh.load(io.BytesIO(content), file_type=ending, force="mesh", process=False,
-                                     skip_materials=True)  # fmt: skip
+                                     skip_materials=True)
         return np.array(mesh.vertices, dtype=float), np.array(getattr(mesh, "faces", ())), unit or 1.0
     except Exception:  # trimesh raises whatever its many readers raise
         why = "it is broken, cut short, or not what its ending says. Export it again."
@@ -182,7 +182,7 @@ def _merge_nearby(vertices: Array, faces: Array) -> tuple[Array, Array]:
     tree, distance = KDTree(vertices), LIMITS.corner_distance * np.ptp(vertices, axis=0).max()
     if tree.count_neighbors(tree, distance) > LIMITS.max_neighbours * len(vertices):
         raise InvalidInput("most of its corners lie within 1e-6 of its extent of each other, where repair would merge "
-                           "them. Take away what lies far from the body.")  # fmt: skip
+                           "them. Take away what lies far from the body.")
     near = tree.query_pairs(distance, output_type="ndarray")
     graph = coo_array((np.ones(len(near), dtype=bool), (near[:, 0], near[:, 1])), shape=(len(vertices),) * 2)
     count, labels = connected_components(graph, directed=False)

@@ -140,6 +140,6 @@ def _check_can_go(path: Path, replaces: Callable[[Path], bool] | None = None) ->
             raise InvalidInput(f"{path}: is a folder, where a file has to go. Choose another name, or move it away.")
         if not replaces(path):
             raise InvalidInput(f"{path}: is a folder, but not the store of a motion, which could be replaced. Choose "
-                               "another name, or move it away.")  # fmt: skip
+                               "another name, or move it away.")
     elif path.exists() and not path.is_file():
         raise InvalidInput(f"{path}: is not a file that could be replaced. Choose another name.")

@@ -167,7 +167,7 @@ def _check_lines(path: Path, first: int, texts: Sequence[str]) -> None:
             raise FormatError(f"{path}, line {first + k}: has more than {LIMITS.max_line} characters.")
         if "\0" in text:
             raise FormatError(f"{path}, line {first + k}: has a NUL byte, so it is not a text file. Save it as "
-                              "UTF-8 text.")  # fmt: skip
+                              "UTF-8 text.")
 
 
 def _by_numpy(texts: Sequence[str], form: TableForm, columns: Sequence[int], decimal: str) -> Array | None:
@@ -191,7 +191,7 @@ def _by_numpy(texts: Sequence[str], form: TableForm, columns: Sequence[int], dec
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
                 table = np.loadtxt(io.StringIO(attempt()), delimiter=None if sign == " " else sign, comments=None,
-                                   usecols=columns, ndmin=2)  # fmt: skip
+                                   usecols=columns, ndmin=2)
         except ValueError:
             continue
         if len(table) == len(texts) and not np.isinf(table).any():
@@ -202,7 +202,7 @@ def _by_numpy(texts: Sequence[str], form: TableForm, columns: Sequence[int], dec
 def _line_by_line(
     path: Path, numbers: Integer[Array, "n"], texts: Sequence[str], form: TableForm, columns: Sequence[int],
     decimal: str,
-) -> Array:  # fmt: skip
+) -> Array:
     values = np.empty((len(texts), len(columns)))
     for row, number, text in zip(values, numbers.tolist(), texts, strict=True):
         try:
@@ -214,7 +214,7 @@ def _line_by_line(
         if len(cells) != form.width:
             hint = " Is the comma a decimal one? Then save it with semicolons." if form.delimiter == "," else ""
             raise FormatError(f"{path}, line {number}: has {len(cells)} cells, and line {form.first} has "
-                              f"{form.width}. Check the line, or delete it.{hint}")  # fmt: skip
+                              f"{form.width}. Check the line, or delete it.{hint}")
         for k, column in enumerate(columns):
             row[k] = _number(path, number, form, column, cells[column], decimal)
     return values

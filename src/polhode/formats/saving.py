@@ -48,7 +48,7 @@ def write_content(content: Content, path: Path) -> Path:
     if not fitting:
         endings = sorted({form.ending for form in writable_forms().values() if _is_of_motions(form)})
         raise InvalidInput(f"{path}: must end in {', '.join(endings)}, the formats of motions; "
-                           f"got {shown(path.suffix)}. Rename it.")  # fmt: skip
+                           f"got {shown(path.suffix)}. Rename it.")
     return fitting[-1].save(content, path)
 
 

@@ -36,7 +36,7 @@ def read_42(path: Path) -> Trajectory:
     if (far := ~(np.abs(lengths - 1.0) <= FAR_FROM_UNIT)).any():
         row = int(np.argmax(far))
         raise FormatError(f"{path}, line {row + 1}: a quaternion must have length 1 to {FAR_FROM_UNIT:g}; got "
-                          f"{lengths[row]:.6g}. Check the file.")  # fmt: skip
+                          f"{lengths[row]:.6g}. Check the file.")
     attitude = (quaternions / lengths[:, None])[:, [3, 0, 1, 2]]
     number = path.stem.removeprefix("qbn").removeprefix("q")
     other = path.with_name(RATES.replace(".", f"{number}."))
@@ -44,11 +44,11 @@ def read_42(path: Path) -> Trajectory:
     for name, values in ((beside, times), (other, velocity)):
         if values is not None and len(values) != len(attitude):
             raise FormatError(f"{path}: has {len(attitude)} lines, and {name.name} has {len(values)}. Take files of "
-                              "one run.")  # fmt: skip
+                              "one run.")
     return Trajectory(
         times, attitude, StateLayout((ATTITUDE,)), attitude, angular_velocity=velocity,
         outcome=Outcome(Ending.RECORDED), source=Recording(path.name),
-    )  # fmt: skip
+    )
 
 
 def _read_lines(path: Path, width: int) -> Float64[Array, "rows columns"]:

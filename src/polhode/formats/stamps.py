@@ -58,14 +58,14 @@ class Clock(NamedTuple):
             return self.remarks
         apart = float(np.spacing(float(abs(self.begin))))
         note = (f"its times count from its first stamp, {in_words(self.begin)} s; from its clock's own zero numbers of "
-                f"double precision tell only {apart:.2g} s apart.")  # fmt: skip
+                f"double precision tell only {apart:.2g} s apart.")
         return (note, *self.remarks)
 
 
 def read_clock(
     path: Path, form: TableForm, column: int, unit: str, decimal: str, stamps: Float64[Array, "rows"],
     begin: Decimal | None = None,
-) -> Clock:  # fmt: skip
+) -> Clock:
     """Return times from a table's stamps, counted from the first where they have too many digits for doubles.
 
     Args:

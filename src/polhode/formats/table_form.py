@@ -118,7 +118,7 @@ def detect_form(path: Path, lines: Sequence[Line]) -> TableForm:
     if begin:
         got = len(_header_cells(candidates[0].text, delimiter))
         raise FormatError(f"{path}, line {candidates[0].number}: must name the {len(row)} columns that line "
-                          f"{content[begin].number} has; got {got} names. Name each, or delete the line.")  # fmt: skip
+                          f"{content[begin].number} has; got {got} names. Name each, or delete the line.")
     return TableForm(delimiter, len(row), (), None, content[begin].number)
 
 

@@ -68,7 +68,7 @@ def read_xml(path: Path, kind: str, limit: int) -> Node:
     def start(tag: str, attributes: dict[str, str]) -> None:
         if len(stack) > LIMITS.max_depth:
             raise FormatError(f"{path}, line {parser.CurrentLineNumber}: elements lie too deep within each other. "
-                              "It is another kind of file.")  # fmt: skip
+                              "It is another kind of file.")
         node = Node(tag.rpartition(":")[2], parser.CurrentLineNumber, attributes)
         (stack[-1] if stack else root).children.append(node)
         stack.append(node)
@@ -90,5 +90,5 @@ def read_xml(path: Path, kind: str, limit: int) -> Node:
             parser.ParseFile(file)
     except expat.ExpatError as error:
         raise FormatError(f"{path}, line {error.lineno}: is not well-formed XML ({expat.ErrorString(error.code)}). "
-                          "Get the file whole.") from None  # fmt: skip
+                          "Get the file whole.") from None
     return root.children[0]

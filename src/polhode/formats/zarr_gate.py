@@ -55,7 +55,7 @@ def check_store(folder: Path) -> list[str]:
     """
     if os.path.lexists(folder / OF_A_SWEEP):
         _refuse(folder, "is the store of a sweep, which holds numbers of many motions and not one motion. Read it with "
-                        "xarray.open_zarr; `polhode sweep` with its spec prints its statistics")  # fmt: skip
+                        "xarray.open_zarr; `polhode sweep` with its spec prints its statistics")
     files = list(_files(folder, folder, 0))
     names = sorted(entry.name for entry in folder.iterdir() if entry.is_dir())
     arrays = {file.path.parent for file in files if file.path.name == ".zarray"}
@@ -72,7 +72,7 @@ def check_store(folder: Path) -> list[str]:
             _document(folder, file.path)
     if chunks > LIMITS.max_chunks:
         _refuse(folder, f"has {shown(chunks)} chunks, and may have {LIMITS.max_chunks:,}. "
-                        "Write it again with larger ones")  # fmt: skip
+                        "Write it again with larger ones")
     check_size(folder, declared, stored)
     return names
 
@@ -86,7 +86,7 @@ def check_size(path: Path, declared: int, stored: int) -> None:
     if declared > LIMITS.spare_bytes + LIMITS.max_compression * stored:
         said = f"{declared / MB:,.0f}" if declared < 1e15 else "more than a billion"
         _refuse(path, f"claims arrays of {said} MB, and {stored / MB:,.3g} MB are stored. It is damaged, or made to "
-                      "fill the memory. Write it again with polhode")  # fmt: skip
+                      "fill the memory. Write it again with polhode")
 
 
 def _refuse(path: Path, what: str) -> NoReturn:
@@ -107,12 +107,12 @@ def _files(store: Path, folder: Path, depth: int) -> Iterator[_File]:
             yield from _files(store, Path(entry.path), depth + 1)
         elif not stat.S_ISREG(status.st_mode):
             _refuse(store, f"has something other than files and folders in it, {shown(entry.name)}. Take it out, or "
-                           "write the store again")  # fmt: skip
+                           "write the store again")
         else:
             count += 1
             if count > LIMITS.max_files:
                 _refuse(store, f"has more than {LIMITS.max_files:,} files in a folder. "
-                               "Write it again with larger chunks")  # fmt: skip
+                               "Write it again with larger chunks")
             yield _File(Path(entry.path), status.st_size)
 
 
@@ -132,7 +132,7 @@ def _check_array(store: Path, path: Path, files: list[_File]) -> tuple[int, int]
     if codec is not None and not (isinstance(codec, str) and codec in CODECS):
         known = ", ".join(CODECS)
         _refuse(store, f"{name} is compressed by {shown(codec)}; read are {known} and none, as others may run code. "
-                       "Write it again with polhode")  # fmt: skip
+                       "Write it again with polhode")
     width = int(dtype[2:]) * (4 if dtype[1] == "U" else 1)
     whole = math.prod(chunks) * width
     check_size(store, whole, sum(file.size for file in files))
@@ -172,7 +172,7 @@ def _check_chunk(store: Path, name: str, file: _File, codec: str | None, whole: 
         size = CODECS[codec](content, whole)
     if size != whole:
         _refuse(store, f"chunk {shown(file.path.name)} of {name} does not hold the {whole} bytes that it should. The "
-                       "store is damaged; write it again")  # fmt: skip
+                       "store is damaged; write it again")
 
 
 def _of_blosc(content: bytes, whole: int) -> int:

@@ -54,7 +54,7 @@ def run_with_error(
     solver: AbstractOrbitSolver, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], meter: Any, quiet: Any, every: int = 1,
     memory: Memory | None = None,
-) -> Measured:  # fmt: skip
+) -> Measured:
     """Return a run and its error, relative to the size of attitude, momentum and what else the state holds.
 
     The second run takes steps twice as long, at half the cost; or half as long, at twice the cost, where samples are a
@@ -85,7 +85,7 @@ def run_with_error(
     system, axes = solver.system, run.states.ndim - np.ndim(sizes)
     at_times = np.take(second.states, np.arange(0, second.states.shape[np.ndim(sizes)], windows), axis=np.ndim(sizes))
     base = second.states if windows > 1 else (
-        np.where(longer.reshape(*longer.shape, *(1,) * axes), second.states, run.states))  # fmt: skip
+        np.where(longer.reshape(*longer.shape, *(1,) * axes), second.states, run.states))
     fine, grown = run.fine & second.fine, np.zeros(np.shape(sizes))
     with np.errstate(invalid="ignore"):
         off = difference(system, run.states, at_times)
@@ -97,7 +97,7 @@ def run_with_error(
             off = np.maximum(off, difference(system, again(state, sizes).states, second.states))
     # what a rounding could make of the motion, it has not made where the two runs are much nearer to each other
     error = np.where(off > LARGE, off * np.maximum(1.0, 1.0 / gain),
-                     np.maximum(off / gain + off * off / LARGE, np.minimum(LUCK * off, grown)))  # fmt: skip
+                     np.maximum(off / gain + off * off / LARGE, np.minimum(LUCK * off, grown)))
     if depends_on_time(system, state):  # a pulse that no run met makes them alike, which proves nothing
         error = np.maximum(error, EPS * np.sqrt(counts.sum(axis=-1)))
     error = np.maximum(error, FEWEST * EPS)
@@ -120,7 +120,7 @@ def run_to_tolerance(
     solver: AbstractOrbitSolver, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], tolerance: float, meter: Any,
     quiet: Any, every: int = 1,
-) -> Measured:  # fmt: skip
+) -> Measured:
     """Return a run whose estimated error is within the tolerance, by shorter steps where it was not.
 
     Raises:
@@ -142,7 +142,7 @@ def run_to_tolerance(
             break
         last = error
     why = "shorter steps no longer help, as rounding or chaos has the error" if stuck.any() else (
-        f"it would take about {wanted:.1e} steps, or more than {ROUNDS} rounds of shorter ones")  # fmt: skip
+        f"it would take about {wanted:.1e} steps, or more than {ROUNDS} rounds of shorter ones")
     raise NotConverged(
         f"`tolerance` {tolerance:g} could not be met: the estimated error is {error.max():.2g}, and {why}. "
         "Allow more, shorten the time, or take a method of higher order."

@@ -113,7 +113,7 @@ def solve_adaptively(
     Raises:
         InvalidInput: if an event has already happened at the start.
         NotConverged: if it takes too many steps.
-    """  # fmt: skip
+    """
     check_events(system, times[0], state)
     largest = None if step is None else jnp.asarray(float(step))
     if meter is None:
@@ -152,7 +152,7 @@ def adaptive_error(
     system: AbstractSystem, solver: diffrax.AbstractSolver, state: Double[Array, "..."],
     times: Float64[np.ndarray, "time"], motion: AdaptiveMotion, step: float | None = None,
     tolerance: float | None = None, kept: int = 1,
-) -> Float64[Array, "*batch"] | None:  # fmt: skip
+) -> Float64[Array, "*batch"] | None:
     """Return the estimated error (batch…) of a motion, from two further runs with other steps.
 
     Beside a saddle, small components have no part in the control of steps: they are as long as samples let them be,
@@ -192,7 +192,7 @@ def adaptive_error(
 def _again(
     system: AbstractSystem, solver: diffrax.AbstractSolver, tolerance: float, longest: float | None, kept: int,
     start: Array, times: np.ndarray,
-) -> AdaptiveMotion:  # fmt: skip
+) -> AdaptiveMotion:
     return solve_adaptively(system, solver, start, times, None, longest, tolerance, kept)
 
 
@@ -222,7 +222,7 @@ def _run_with_more_samples(
 
 def _apart(
     system: AbstractSystem, motion: AdaptiveMotion, other: AdaptiveMotion
-) -> tuple[Array, Array] | None:  # fmt: skip
+) -> tuple[Array, Array] | None:
     """Return the distance of two motions (batch…) and where it is unknown; None if nothing can be compared."""
     count = min(len(motion.times), len(other.times)) - (motion.event is not None or other.event is not None)
     if count < 2:  # the start alone has no error, and says nothing
@@ -261,7 +261,7 @@ def check_events(system: AbstractSystem, t: float, state: Double[Array, "..."]) 
 def _by_stretches(
     system: AbstractSystem, solver: Any, states: Array, times: Array, kept: Array, largest: Array | None,
     tolerance: Array, meter: Any,
-) -> Sampled:  # fmt: skip
+) -> Sampled:
     """Return the motion of one state or of a row of them, by an explicit method."""
     by, run = _begin(system, states, times, kept)
     # steps in one call, which take from a tenth of a second to some seconds; eight copies cost about as much as one
@@ -300,7 +300,7 @@ def _begin(system: AbstractSystem, states: Array, times: Array, kept: Array) -> 
 def _stretch(
     system: AbstractSystem, solver: Any, by: Scales, run: embedded.Run, times: Array, kept: Array,
     largest: Array | None, tolerance: Array, limit: Array,
-) -> embedded.Run:  # fmt: skip
+) -> embedded.Run:
     ends, at_jumps = with_jumps(system, times)
 
     def one(by: Scales, run: embedded.Run) -> embedded.Run:
@@ -321,7 +321,7 @@ def _unscale(system: AbstractSystem, by: Scales, run: embedded.Run) -> Sampled:
 def _at_once(
     system: AbstractSystem, solver: Any, states: Array, times: Array, kept: Array, largest: Array | None,
     tolerance: Array, meter: Any,
-) -> Sampled:  # fmt: skip
+) -> Sampled:
     """Return the motion of one state or of a row of them, by one of diffrax's other solvers."""
     one = lambda state: sample_motion(system, solver, state, times, kept, largest, tolerance, meter)  # noqa: E731
     return _over_copies(system, states, one)(states)

@@ -76,7 +76,7 @@ def stage_times(order: int) -> Float64[np.ndarray, "stages"]:
 def compose(
     stage: Stage, order: int, t: Scalar, h: Scalar, state: Double[Array, "..."],
     beside: Callable[[Scalar], Scalar] | None = None,
-) -> Change:  # fmt: skip
+) -> Change:
     """Return the change by stages of t, their length and state that make a step of the order."""
     return compose_with_hints(lambda t, h, state, _: (stage(t, h, state), ()), order, t, h, state, (), beside)[0]
 

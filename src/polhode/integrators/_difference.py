@@ -58,7 +58,7 @@ def parts_with_units(system: AbstractLiePoissonSystem, state: Double[Array, "...
 
 def starts_a_rounding_away(
     system: AbstractSystem, state: Double[Array, "..."], of_parts: bool = False, places: float = 1.0
-) -> list[Double[Array, "..."]]:  # fmt: skip
+) -> list[Double[Array, "..."]]:
     """Return two starts (batch…, …) each of whose numbers is off by last places, or a rounding of its part's size.
 
     Motions from these starts have other roundings throughout, and show how a rounding of the start grows. Beside a

@@ -115,14 +115,14 @@ def begin(state: Any, times: Float64[Array, "time"], kept: Float64[Array, "kept"
     zero, one = jnp.zeros(()), jnp.ones((), int)
     slope = jax.tree.map(jnp.zeros_like, state)
     return Run(one, one, times[0], state, slope, zero, zero, zero, state, saved, jnp.zeros((), int),
-               jnp.asarray(RUNNING))  # fmt: skip
+               jnp.asarray(RUNNING))
 
 
 def advance(
     run: Run, method: diffrax.AbstractERK, problem: Problem, times: Float64[Array, "time"],
     kept: Float64[Array, "kept"], largest: Float64[Array, ""] | None, tolerance: Float64[Array, ""],
     limit: Integer[Array, ""] | int, jumps: Bool[Array, "time"] | None = None,
-) -> Run:  # fmt: skip
+) -> Run:
     """Return the run at its end, or after as many steps as the limit.
 
     Args:
@@ -166,7 +166,7 @@ def advance(
         # of a step, as PIDController has them
         safety, max_shrinking, max_growth = 0.9, 0.2, 10.0
         factor = jnp.clip(safety * size ** (-1.0 / order), jnp.where(fine, 1.0, max_shrinking),
-                          jnp.where(fine, max_growth, safety))  # fmt: skip
+                          jnp.where(fine, max_growth, safety))
         step = h * jnp.where(jnp.isnan(factor), max_shrinking, factor)
         # a step that was cut short at a sample says little about the next one
         step = jnp.where(fine & clipped & (jnp.abs(run.step) > jnp.abs(step)), run.step, step)
@@ -194,7 +194,7 @@ def advance(
             chosen(advances, later, run.state), chosen(advances | probing, slope, run.slope),
             jnp.where(seeking, run.step, jax.lax.stop_gradient(step)), jax.lax.stop_gradient(low),
             jax.lax.stop_gradient(high), chosen(past, later, run.beyond), saved, run.steps + ~seeking, status,
-        )  # fmt: skip
+        )
 
     # plain loops copy the saved samples at each step of a batch
     return eqxi.while_loop(unfinished, body, run, kind="lax", buffers=lambda run: run.saved)

@@ -58,7 +58,7 @@ def run_by_equal_steps(
     solver: AbstractOrbitSolver, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], meter: Any, every: int = 1,
     memory: Memory | None = None,
-) -> Run:  # fmt: skip
+) -> Run:
     """Return the motion at times.
 
     Args:
@@ -117,7 +117,7 @@ def run_by_equal_steps(
 def run_through_windows(
     solver: AbstractOrbitSolver, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     sizes: Float64[Array, "*batch"], rates: Float64[Array, "*batch"], meter: Any, windows: int,
-) -> Run:  # fmt: skip
+) -> Run:
     """Return the motion at the times and between them, by one run after the other: nothing more is compiled."""
     first, *others = split_into_windows(times, windows)
     run = run_by_equal_steps(solver, state, first, sizes, rates, meter)
@@ -189,7 +189,7 @@ def _stretches(counts: Array, longest: int) -> list[tuple[int, int]]:
 def _go(
     solver: Any, size: Array, state: Array, memory: Memory, saved: Array, grid: tuple[Array, Array],
     limits: tuple[Array, Array, Array],
-) -> tuple[Array, Memory, Array]:  # fmt: skip
+) -> tuple[Array, Memory, Array]:
     """Go from one interval up to another, and save the state at the end of so many intervals each."""
     solver = eqx.tree_at(lambda s: s.step_size, solver, size)
     (begin, spans), (first, last, together) = grid, limits
@@ -209,7 +209,7 @@ _go_one = eqx.filter_jit(_go)
 def _go_block(
     solver: Any, sizes: Array, states: Array, memory: Memory, saved: Array, grid: tuple[Array, Array],
     limits: tuple[Array, Array, Array],
-) -> tuple[Array, Memory, Array]:  # fmt: skip
+) -> tuple[Array, Memory, Array]:
     def one(size: Array, state: Array, memory: Memory, saved: Array) -> tuple[Array, Memory, Array]:
         return _go(solver, size, state, memory, saved, grid, limits)
 

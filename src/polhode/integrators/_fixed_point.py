@@ -82,7 +82,7 @@ def fixed_point(
         return run.value, (count.astype(float), jnp.all(settled).astype(float))
 
     root = jax.lax.custom_root(
-        lambda x: function(x) - x, start, iterate, partial(_linear, jnp.ndim(scale)), has_aux=True)  # fmt: skip
+        lambda x: function(x) - x, start, iterate, partial(_linear, jnp.ndim(scale)), has_aux=True)
     x, (count, converged) = root
     return FixedPoint(x, count.astype(int), converged > 0.5)
 

@@ -158,7 +158,7 @@ class _Way:
         saved = _Saved(
             jnp.ones((), int), jnp.zeros(PLACES, int),
             jax.tree.map(lambda x: jnp.zeros((PLACES, *x.shape), x.dtype).at[0].set(x), (inputs.state, inputs.lost)),
-        )  # fmt: skip
+        )
         # a motion that failed has no derivative to bring back
         fine = reached.fine & jnp.all(jnp.isfinite(reached.state))
         count, last = jnp.where(fine, reached.steps, 0), (reached.state, reached.lost)

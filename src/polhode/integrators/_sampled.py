@@ -103,7 +103,7 @@ def sample_motion(
     system: AbstractSystem, solver: Any, state: Double[Array, "..."], times: Float64[Array, "time"],
     kept: Float64[Array, "kept"], largest: Float64[Array, ""] | None, tolerance: Float64[Array, ""],
     meter: Any = None, observe: Observe | None = None, reverse: bool = False,
-) -> Sampled:  # fmt: skip
+) -> Sampled:
     """Return the motion of one state, stepping at all times (T,) and saving at those to be kept (K,).
 
     Args:
@@ -134,7 +134,7 @@ def sample_motion(
 def unscale_run(
     system: AbstractSystem, by: Scales, saved: Any, time: Float64[Array, ""], last: Carried,
     status: Integer[Array, ""], steps: Integer[Array, ""], of_states: bool = True,
-) -> Sampled:  # fmt: skip
+) -> Sampled:
     """Return the result of a run in the system's own units."""
     # after the end there is infinity, which a derivative of zero must not meet
     grown = lambda x, size: jnp.where(jnp.isinf(x), x, jnp.where(jnp.isinf(x), 1.0, x) * size)  # noqa: E731
@@ -147,13 +147,13 @@ def unscale_run(
     return Sampled(
         grown(saved.state, by.state) if of_states else saved, whole(saved) if of_states else {}, status,
         jnp.where(ended, first, -1), time, state, whole(last), steps,
-    )  # fmt: skip
+    )
 
 
 def _by_diffrax(
     system: AbstractSystem, solver: Any, state: Array, times: Array, kept: Array, largest: Array | None,
     tolerance: Array, meter: Any, observe: Observe | None, reverse: bool,
-) -> Sampled:  # fmt: skip
+) -> Sampled:
     """Return the motion by diffrax's own loop, which goes back from checkpoints and takes implicit methods."""
     from polhode.integrators._diffrax_loop import EventBisection, PresentTimeControl
 
@@ -179,7 +179,7 @@ def _by_diffrax(
         event=diffrax.Event(lowest, EventBisection(), direction=False) if own.margin else None,
         max_steps=MOST_STEPS, progress_meter=diffrax.NoProgressMeter() if meter is None else meter, throw=False,
         adjoint=diffrax.RecursiveCheckpointAdjoint() if reverse else diffrax.ForwardMode(),
-    )  # fmt: skip
+    )
     results: Any = diffrax.RESULTS
     ended = solution.result == results.event_occurred
     status = jnp.where(solution.result == results.successful, Status.COMPLETED, Status.NOT_CONVERGED)
@@ -208,7 +208,7 @@ def sample_by_either_mode(
     system: AbstractSystem, solver: Any, state: Double[Array, "..."], times: Float64[Array, "time"],
     kept: Float64[Array, "kept"], largest: Float64[Array, ""] | None, tolerance: Float64[Array, ""],
     observe: Observe | None,
-) -> Sampled:  # fmt: skip
+) -> Sampled:
     """Return what ``sample_motion`` does, with derivatives of either mode."""
 
     def forward(arguments: tuple[Any, ...]) -> Sampled:
@@ -224,4 +224,4 @@ def sample_by_either_mode(
 def as_floats(observed: Any) -> Any:
     """Return a nest of observations as arrays that can be infinite where there is none."""
     return jax.tree.map(lambda x: x if jnp.issubdtype(jnp.result_type(x), jnp.inexact) else jnp.asarray(x, float),
-                        jax.tree.map(jnp.asarray, observed))  # fmt: skip
+                        jax.tree.map(jnp.asarray, observed))

@@ -128,7 +128,7 @@ def _one(system: AbstractSystem, state: Double[Array, "..."]) -> Array:
 
 def find_obstacle(
     system: AbstractSystem, state: Double[Array, "..."], times: tuple[float, float]
-) -> NoSeries | None:  # fmt: skip
+) -> NoSeries | None:
     """Return why motions between two times have no series of single numbers, as far as their starts show it."""
     one = _one(system, state)
     try:
@@ -151,14 +151,14 @@ def _refuse(system: AbstractSystem, error: Untraceable, extended: bool = False) 
     return NoSeries(
         f"{type(system).__name__} cannot be moved by Taylor series: its rates of change contain {error}. {instead}",
         f"its rates contain {error}", error.copies, str(error),
-    )  # fmt: skip
+    )
 
 
 def solve_by_series(
     system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     meter: Any = None, step: float | None = None, tolerance: float | None = None, every: int = 1,
     memory: Sequence[Array] | None = None,
-) -> AdaptiveMotion:  # fmt: skip
+) -> AdaptiveMotion:
     """Return the motion at times, or up to the first of the system's events; see ``solve_adaptively``.
 
     Raises:
@@ -177,7 +177,7 @@ def solve_by_series(
     runs, place = _run_or_refuse(system, states, kept, times[-1], precision, longest, meter, place)
     shaped = lambda x: x.reshape((*batch, *x.shape[1:]))  # noqa: E731
     ends = Ends(shaped(runs.status), shaped(runs.event), shaped(runs.end), shaped(runs.end_state),
-                tuple(system.events))  # fmt: skip
+                tuple(system.events))
     fine = shaped(runs.status) != Status.NOT_CONVERGED
     received = {name: shaped(runs.received[..., k]) for k, name in enumerate(runs.balances)}
     steps = int(runs.steps.max())
@@ -186,7 +186,7 @@ def solve_by_series(
         if place is not None and not batch:
             carried = tuple(map(np.asarray, (times[-1] - place.time, place.state, place.unit)))
         return AdaptiveMotion(kept, shaped(runs.states), received, None, fine, steps, ends, carried, shaped(runs.steps),
-                              place is not None)  # fmt: skip
+                              place is not None)
     before = np.abs(kept - times[0]) < abs(float(runs.end[0]) - times[0])
     # one row more, for the event itself
     received = {
@@ -202,7 +202,7 @@ def solve_with_error(
     system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     meter: Any = None, step: float | None = None, tolerance: float | None = None, every: int = 1,
     memory: Sequence[Array] | None = None,
-) -> tuple[AdaptiveMotion, Float64[Array, "*batch"] | None]:  # fmt: skip
+) -> tuple[AdaptiveMotion, Float64[Array, "*batch"] | None]:
     """Return the motion, and its estimated error unless every copy failed.
 
     Raises:
@@ -230,7 +230,7 @@ def _refine(times: Float64[np.ndarray, "time"]) -> tuple[Float64[np.ndarray, "mo
 def series_error(
     system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     motion: AdaptiveMotion, step: float | None = None, tolerance: float | None = None,
-) -> Float64[Array, "*batch"]:  # fmt: skip
+) -> Float64[Array, "*batch"]:
     """Return the estimated error (batch…) of a motion, from further runs.
 
     A run of higher order, with shorter steps, shows the truncation error of the series. Two more runs, from starts a
@@ -275,7 +275,7 @@ def series_error(
 def series_to_tolerance(
     system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
     meter: Any, step: float | None, tolerance: float, every: int = 1,
-) -> tuple[AdaptiveMotion, Float64[Array, "*batch"], float]:  # fmt: skip
+) -> tuple[AdaptiveMotion, Float64[Array, "*batch"], float]:
     """Return a motion whose estimated error is within a tolerance, that error, and the tolerance of a step.
 
     Raises:
@@ -313,13 +313,13 @@ def _as_copies(motion: AdaptiveMotion, batch: tuple[int, ...]) -> _Compared:
     ends = motion.ends
     assert motion.steps_of_copies is not None
     copies = [np.reshape(x, (-1, *np.shape(x)[len(batch) :]))
-              for x in (motion.states, ends.status, ends.event, ends.time, motion.steps_of_copies)]  # fmt: skip
+              for x in (motion.states, ends.status, ends.event, ends.time, motion.steps_of_copies)]
     return _Compared(*copies)
 
 
 def _apart(
     system: AbstractSystem, times: np.ndarray, one: Runs | _Compared, other: Runs
-) -> tuple[Array, Array]:  # fmt: skip
+) -> tuple[Array, Array]:
     """Return how far runs are apart (C,) until either ends, and which of them failed."""
     distances, whole = np.zeros(len(one.states)), np.full(len(one.states), abs(times[-1] - times[0]))
     last = np.nanmin([np.abs(one.end - times[0]), np.abs(other.end - times[0]), whole], axis=0)
@@ -336,7 +336,7 @@ def _apart(
 def _by_arrays_or_tape(
     system: AbstractSystem, states: Array, times: np.ndarray, precision: Precision, longest: float,
     check: Callable[[float], None], place: Place | None, late: Float64[np.ndarray, "copies"] | None,
-) -> tuple[Runs, Place | None]:  # fmt: skip
+) -> tuple[Runs, Place | None]:
     """Return runs by series of whole arrays where these pay and exist, otherwise by series of single numbers."""
     if goes_by_arrays(system, states):
         try:
@@ -361,7 +361,7 @@ def _find_place(memory: Sequence[Array], states: Double[Array, "copies ..."], fi
 def _run_or_refuse(
     system: AbstractSystem, states: Array, times: np.ndarray, last: float, precision: Precision, longest: float,
     meter: Any, place: Place | None = None, late: Float64[np.ndarray, "copies"] | None = None,
-) -> tuple[Runs, Place | None]:  # fmt: skip
+) -> tuple[Runs, Place | None]:
     """Return runs up to a last time, which need not be a sample, and where to resume; or say why there are none."""
     with keep_interrupts() as check:
         shown_state = [None if meter is None else meter.init()]

@@ -57,7 +57,7 @@ class Returning(AbstractSystem):
 def weights_back(
     motion: AbstractSystem, back: Returning, inputs: tuple[Array, Array, Array], times: Float64[np.ndarray, "time"],
     weights: Float64[Array, "copies time rows"], precision: Precision, longest: float,
-) -> tuple[Float64[Array, "copies n"], Float64[Array, "copies m"], Bool[Array, "copies"]]:  # fmt: skip
+) -> tuple[Float64[Array, "copies n"], Float64[Array, "copies m"], Bool[Array, "copies"]]:
     """Return the weights of starts and numbers, from those of the states at times, and which of them are valid.
 
     Args:

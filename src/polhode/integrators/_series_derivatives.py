@@ -162,7 +162,7 @@ class Motion:
         inputs = tuple((size,) for size in self.inputs)
         derivatives = (self.jacobian, Ways(self.ahead, self.weights_of)) if self.has_derivatives else (None, None)
         return Elementwise("solve by Taylor", self.values, inputs, outputs, derivatives[0], 0, ways=derivatives[1],
-                           on_host=True)  # fmt: skip
+                           on_host=True)
 
     def values(self, *arguments: Array) -> tuple[Any, ...]:
         """Return the values of the operation."""
@@ -177,7 +177,7 @@ class Motion:
         runs = [self.run(part, arguments, every[part.varied.start : part.varied.stop].ravel()) for part in self.varied]
         batch = runs[0].failed.shape
         blocks = [run.states[..., rows + m :].reshape(*batch, count, len(part.varied), rows)
-                 for part, run in zip(self.varied, runs, strict=True)]  # fmt: skip
+                 for part, run in zip(self.varied, runs, strict=True)]
         by = np.swapaxes(np.concatenate(blocks, axis=-2), -1, -2).reshape(*batch, count * rows, n + m)
         zeros = np.zeros((*batch, count * rows, count))
         columns = np.concatenate([by[..., :n], zeros, by[..., n:], zeros[..., :1].repeat(n, axis=-1)], axis=-1)

@@ -40,7 +40,7 @@ class Series(NamedTuple):
 def series_solution(
     system: AbstractSystem, state: Double[Array, "..."], times: Float64[Array, "time"], precision: Precision,
     longest: float,
-) -> Series:  # fmt: skip
+) -> Series:
     """Return a motion from states (batch…, …) at times (T,), as a function that JAX batches and differentiates.
 
     Raises:
@@ -128,7 +128,7 @@ def _place(
     at_first = jnp.zeros_like(samples[..., 0, :]).at[..., :n].set(first[..., :n] * (times[0] - still(times[0])))
     samples = samples.at[..., 0, :].add(at_first)
     received = {name: samples[..., n + k] - first[..., None, n + k] * (times[0] - still(times[0]))
-                for k, name in enumerate(skeleton.balances)}  # fmt: skip
+                for k, name in enumerate(skeleton.balances)}
     numbers = samples[..., :n]
     if form.is_complex:
         pairs = jnp.reshape(numbers, (*numbers.shape[:-1], -1, 2))

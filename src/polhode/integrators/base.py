@@ -119,7 +119,7 @@ class AbstractOrbitSolver(diffrax.AbstractSolver):
 
         length = jnp.asarray(span / jnp.maximum(count, 1))
         inputs = Given([], count, jnp.asarray(start, float), length, state, memory.lost,
-                      memory.iterations, memory.fine, memory.hint)  # fmt: skip
+                      memory.iterations, memory.fine, memory.hint)
         parts = parts_with_units(self.system, state)
         reached = repeat_steps(step, inputs, parts, self.symmetric, type(self).__name__)
         fine = reached.fine & jnp.all(jnp.isfinite(reached.state))

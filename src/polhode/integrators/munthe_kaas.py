@@ -50,7 +50,7 @@ class MuntheKaas(AbstractOrbitSolver):
         algebra = self.system.algebra
         if not others_are_an_ideal(algebra.structure_constants(), algebra.rotations):
             raise InvalidInput(f"`MuntheKaas` of order 4 has no attitude where brackets with the other components of "
-                               f"{algebra.name} lead into its so(3); take LieMidpoint, or order 2.")  # fmt: skip
+                               f"{algebra.name} lead into its so(3); take LieMidpoint, or order 2.")
 
     def change(self, t: Scalar, h: Scalar, state: Double[Array, "..."]) -> Change:
         algebra, (attitude, point) = self.system.algebra, self.system.parts(state)

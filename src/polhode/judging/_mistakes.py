@@ -101,7 +101,7 @@ class EngineEquations:
 
         Raises:
             NotConverged: where the equations cannot be followed.
-        """  # fmt: skip
+        """
         inverse = np.linalg.inv(inertia)
         size = float(np.linalg.norm(momentum)) or 1.0
         if self.frozen:
@@ -153,7 +153,7 @@ def list_convention_mistakes(declared: StateConvention) -> dict[str, StateConven
 
 def list_equation_mistakes(
     variable: str, attitude: Float64[Array, "4"], damping: float = 0.0
-) -> dict[str, EngineEquations]:  # fmt: skip
+) -> dict[str, EngineEquations]:
     """Return wrong equations that engines solve, each under its name in words.
 
     Args:

@@ -234,7 +234,7 @@ def _finite_states(run: dict[str, Any], key: str, times: Float64[Array, "time"],
         # as the file has it, where NumPy would write null as nan
         got = f"{json.dumps(run[key][first])} in state {first + 1}, at t = {times[first]:.6g} s"
         raise InvalidInput(f"`{key}` must be finite numbers below {LIMITS.max_number:g}; got {got}. Leave out what "
-                           "follows.")  # fmt: skip
+                           "follows.")
     return values
 
 
@@ -243,13 +243,13 @@ def _check_start(run: dict[str, Any]) -> None:
     own = [key for key in START if key in run]
     if "motion" in run and own:
         raise InvalidInput(f"a run must have `motion` or a start of its own, not both; got {shown(run['motion'])} and "
-                           f"{', '.join(own)}. Leave out one.")  # fmt: skip
+                           f"{', '.join(own)}. Leave out one.")
     if "momentum" in own and "angular_velocity" in own:
         got = f"{shown(run['momentum'])} and {shown(run['angular_velocity'])}"
         raise InvalidInput(f"a run must have `momentum` or `angular_velocity`, not both; got {got}. Leave out one.")
     if own and "inertia" not in own:
         raise InvalidInput(f"a start of a run's own must have `inertia`; got {', '.join(own)} alone. Add it, or leave "
-                           "them out for the motion of a spec.")  # fmt: skip
+                           "them out for the motion of a spec.")
 
 
 def _given_motion(run: dict[str, Any], of_spec: GivenMotion | None, label: str) -> GivenMotion:
@@ -272,12 +272,12 @@ def _given_motion(run: dict[str, Any], of_spec: GivenMotion | None, label: str) 
             raise InvalidInput(f"`motion` must be a name of the table of motions; got {shown(run['motion'])}.")
         if motion.kind != "free body":
             raise InvalidInput(f"{motion.name} is a {motion.kind}, and only free bodies are judged. Compare it by "
-                               "`polhode.judging.compare_engine`.")  # fmt: skip
+                               "`polhode.judging.compare_engine`.")
         unit = motion.attitude / np.linalg.norm(motion.attitude)
         return GivenMotion(motion.name, np.diag(motion.moments), unit, np.asarray(motion.momentum))
     if of_spec is None:
         raise InvalidInput("a run must name its `motion` of the table or give `inertia`, `attitude` and `momentum`; "
-                           "for the motion of a spec, give the spec.")  # fmt: skip
+                           "for the motion of a spec, give the spec.")
     return of_spec
 
 

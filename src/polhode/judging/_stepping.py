@@ -78,7 +78,7 @@ class SteppedRun(EngineRun):
         return replace(
             self, times=self.times[:count], attitude=self.attitude[:count], momentum=self.momentum[:count],
             lengths=self.lengths[:count], steps=self.steps * (count - 1) // (len(self.times) - 1),
-        )  # fmt: skip
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,7 +135,7 @@ class SteppedEngine:
         attitudes[0], momenta[0] = attitude, momentum
         times = dt * every * np.arange(len(attitudes))
         return SteppedRun(self.inertia, times, attitudes, momenta, find_eps(*first), count,
-                          lengths=lengths, stop=stop)  # fmt: skip
+                          lengths=lengths, stop=stop)
 
 
 def _find_fault(q: Any, rate: Any) -> str:

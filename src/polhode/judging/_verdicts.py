@@ -135,7 +135,7 @@ def judge_engine(
     run, right = runs[GIVEN], None if convergence.open and not explained else convergence.converges
     return Judgement(GIVEN, run, dt, right, convergence, tuple(explained), unseen, *measure(run), ends,
                      dict(runs), explained=next(iter(explained.values()), None), stops=stops,
-                     length_change=find_length_change(run.lengths, run.eps))  # fmt: skip
+                     length_change=find_length_change(run.lengths, run.eps))
 
 
 def measure(run: EngineRun) -> tuple[Drift, Drift, Growth]:
@@ -164,7 +164,7 @@ def converge(
     """Return whether the engine converges, to the exact motion or to the solution of wrong equations.
 
     Steps are halved from ``dt`` until it does, or ``max_halvings`` times.
-    """  # fmt: skip
+    """
     times, samples = _short_times(span), LIMITS.short_run_samples
     motion = exact_motion(engine.inertia, attitude, momentum)
     if equations is None:

@@ -120,7 +120,7 @@ def _judge_one(one: WrittenStates, halved: Sequence[WrittenStates]) -> Judgement
 
 def _judge_with_start(
     one: WrittenStates, halved: Sequence[WrittenStates], plain: Judgement | None
-) -> Judgement | None:  # fmt: skip
+) -> Judgement | None:
     """Return the judgement with the first mistakes of convention that explain states and start; None without any."""
     bound = plain.residual / LIMITS.min_residual_ratio if plain is not None and plain.residual else np.inf
     conventions = list_convention_mistakes(one.convention)
@@ -130,7 +130,7 @@ def _judge_with_start(
             if (" and " in name) != pairs:
                 continue
             read = [replace(run, given=run.given.read_by(other, one.convention), convention=other)
-                    for run in halved or [one]]  # fmt: skip
+                    for run in halved or [one]]
             try:
                 judgement = _judge_as_read(read[0], read if halved else (), search=False)
             except (InvalidInput, NotConverged):
@@ -167,7 +167,7 @@ def _judge_as_read(one: WrittenStates, halved: Sequence[WrittenStates], search: 
     energy, norm, growth = measure(run)
     return Judgement(given.name, run, one.dt, unseen=unseen, energy=energy, momentum=norm, growth=growth,
                      ends={GIVEN: find_spin_end(run)}, length_change=_length_change(halved or [one]),
-                     **verdict)  # type: ignore[arg-type]  # fmt: skip
+                     **verdict)  # type: ignore[arg-type]
 
 
 def _mistake_fields(explained: Mapping[str, Convergence | float]) -> dict[str, object]:
@@ -179,7 +179,7 @@ def _length_change(states: Sequence[WrittenStates]) -> float:
     """Return the largest change of length of the quaternions over all runs."""
     changes = [find_length_change(np.linalg.norm(one.quaternions, axis=-1),
                                   max(find_eps(one.quaternions), find_printed_unit(one.quaternions)))
-               for one in states]  # fmt: skip
+               for one in states]
     return max(changes, key=abs)
 
 
@@ -189,7 +189,7 @@ def as_run(one: WrittenStates, convention: StateConvention) -> EngineRun:
     steps = len(one.times) if one.dt is None else max(1, round(float(one.times[-1]) / one.dt))
     return EngineRun(one.given.inertia, np.concatenate([[0.0], one.times]), np.vstack([one.given.attitude, q]),
                      np.vstack([one.given.momentum, L]), find_eps(one.quaternions, one.rates), steps,
-                     one.printed_unit)  # fmt: skip
+                     one.printed_unit)
 
 
 def _short_part(run: EngineRun) -> int:
@@ -198,7 +198,7 @@ def _short_part(run: EngineRun) -> int:
     if last < LIMITS.min_states:
         within = run.times[-1] * LIMITS.max_angle / max(float(run.turned[-1]), 1e-300)
         raise InvalidInput(f"`times` must have {LIMITS.min_states} or more within the first {LIMITS.max_angle:g} rad, "
-                           f"here {within:.4g} s; got {last}. Write states more often.")  # fmt: skip
+                           f"here {within:.4g} s; got {last}. Write states more often.")
     return last
 
 
@@ -242,7 +242,7 @@ def _exact(one: WrittenStates, times: Float64[Array, "time"], equations: EngineE
 def _find(
     one: WrittenStates, explain: Callable[[StateConvention | None, EngineEquations | None], Left | None],
     damping: float = 0.0,
-) -> dict[str, Left]:  # fmt: skip
+) -> dict[str, Left]:
     """Return the mistakes that explain the states, with their residuals; pairs are tried where no single one does."""
     conventions, of_equations = list_convention_mistakes(one.convention), (
         one.convention.variable, one.given.attitude, damping)  # fmt: skip
@@ -279,7 +279,7 @@ def _common_times(halved: Sequence[WrittenStates], last: float) -> Float64[Array
         times = times[near <= LIMITS.time_tolerance * (halved[-1].dt or 1.0)]
     if len(times) < LIMITS.min_states:
         raise InvalidInput(f"runs with dt, dt/2, dt/4 must have {LIMITS.min_states} times in common within "
-                           f"{LIMITS.max_angle:g} rad; got {len(times)}. Write the same times in each.")  # fmt: skip
+                           f"{LIMITS.max_angle:g} rad; got {len(times)}. Write the same times in each.")
     return times
 
 
@@ -291,7 +291,7 @@ def _nearest(rising: Float64[Array, "samples"], wanted: Float64[Array, "time"]) 
 def _converge(
     halved: Sequence[WrittenStates], times: Float64[Array, "time"], equations: EngineEquations | None,
     convention: Callable[[WrittenStates], StateConvention],
-) -> Convergence:  # fmt: skip
+) -> Convergence:
     from_start = np.concatenate([[0.0], times])
     exact = [x[1:] for x in _exact(halved[0], from_start, equations)]
     motion = exact_motion(halved[0].given.inertia, halved[0].given.attitude, halved[0].given.momentum)

@@ -124,7 +124,7 @@ def _check_answer(answer: Any, motion: ReferenceMotion) -> tuple[np.ndarray, np.
     for name, values, wanted in (("attitudes", attitudes, motion.attitudes), ("momenta", momenta, motion.momenta)):
         if values.shape != wanted.shape or not np.issubdtype(values.dtype, np.floating):
             raise InvalidInput(f"`engine` must return {name} of shape {wanted.shape} in floating point; "
-                               f"got {values.dtype} of shape {values.shape} for the motion {motion.name}.")  # fmt: skip
+                               f"got {values.dtype} of shape {values.shape} for the motion {motion.name}.")
     return attitudes, momenta
 
 
@@ -183,7 +183,7 @@ def _worst(errors: Sequence[MotionErrors]) -> FamilyErrors:
         return float(np.max(np.concatenate(of_all), initial=0.0))
 
     return FamilyErrors(len(errors), largest("attitude", True), largest("attitude", False), largest("rounding"),
-                        largest("momentum"), largest("energy"), largest("length"))  # fmt: skip
+                        largest("momentum"), largest("energy"), largest("length"))
 
 
 def _write_size(value: float) -> str:

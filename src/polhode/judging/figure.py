@@ -50,7 +50,7 @@ def engine_errors(run: EngineRun, name: str = "", runs: Mapping[str, EngineRun] 
         _plot_ratios(axes, runs or {})
     for axes in (upper, middle, *lower):
         axes.legend(fontsize=style.FONT - 2, frameon=False, loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=2,
-                    borderaxespad=0.2, columnspacing=1.2, handlelength=2.0)  # fmt: skip
+                    borderaxespad=0.2, columnspacing=1.2, handlelength=2.0)
         style.tidy(axes)
     (lower or [middle])[-1].set_xlabel("rotation angle  [rad]")
     figure.suptitle(name, fontsize=style.FONT)

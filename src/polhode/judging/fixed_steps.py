@@ -116,7 +116,7 @@ def fixed_step_cases() -> tuple[FixedStepCase, ...]:
         for array in (*arrays.values(), *by_order[0].values(), *by_order[1].values()):
             array.setflags(write=False)
         cases.append(FixedStepCase(**{**entry, **arrays, "steps": tuple(entry["steps"])},
-                                   attitude_thresholds=by_order[0], momentum_thresholds=by_order[1]))  # fmt: skip
+                                   attitude_thresholds=by_order[0], momentum_thresholds=by_order[1]))
     return tuple(cases)
 
 
@@ -133,7 +133,7 @@ def run_fixed_steps(
 
     Raises:
         InvalidInput: for another order, variable or axes.
-    """  # fmt: skip
+    """
     if order not in ORDERS:
         raise InvalidInput(f"`order` must be 1, 2 or 4; got {shown(order)}. Take the next lower one.")
     convention = StateConvention(variable, axes)

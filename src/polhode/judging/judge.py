@@ -83,7 +83,7 @@ def judge(
     >>> report = judge(step, 0.02, moments, steps=1000)
     >>> report.verdict, round(report.judgements[0].convergence.order, 1)
     ('right', 1.0)
-    """  # fmt: skip
+    """
     if not callable(step):
         raise InvalidInput(f"`step` must be a function of quaternion, rate and dt; got {shown(step)}. See `judge`.")
     convention = StateConvention(variable, axes)
@@ -101,7 +101,7 @@ def judge(
         raise InvalidInput(f"`dt` must be a step of {most} rad at most, here {most / rate:.4g} s; got {shown(dt)}.")
     if isinstance(steps, bool) or not isinstance(steps, int) or not LIMITS.min_steps <= steps <= LIMITS.max_steps:
         raise InvalidInput(f"`steps` must be a whole number from {LIMITS.min_steps} to {LIMITS.max_steps}; got "
-                           f"{shown(steps)}.")  # fmt: skip
+                           f"{shown(steps)}.")
     engine = SteppedEngine(step, tensor, convention)
     return JudgeReport(name, (judge_engine(engine, q / np.linalg.norm(q), L, float(dt), steps),))
 

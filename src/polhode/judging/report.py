@@ -108,14 +108,14 @@ class JudgeReport(StudyReport):
         unseen = dict.fromkeys(name for one in self.judgements for name in one.unseen)
         if unseen and all(set(unseen) <= set(one.unseen) for one in self.judgements):
             notes.append(f"this motion cannot show: {'; '.join(unseen)}. Judge with a body of three different moments, "
-                         "turned about none of its axes.")  # fmt: skip
+                         "turned about none of its axes.")
         if any(len(one.mistakes) > 1 for one in self.judgements):
             notes.append("several mistakes explain the states equally well; another motion may tell them apart.")
         if len(self.judgements) > 1 and (change := max((one.length_change for one in self.judgements), key=abs)):
             notes.append(_word_length(change, ""))
         if any(one.right is None and one.convergence is None for one in self.judgements):
             notes.append("states of one step size do not tell an error of the method from a mistake of the same size; "
-                         "give the same motion with dt, dt/2 and dt/4.")  # fmt: skip
+                         "give the same motion with dt, dt/2 and dt/4.")
         return notes
 
     def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
@@ -152,7 +152,7 @@ def _word_stop(one: Judgement, step: bool = False) -> str:
         return ""
     stop, start = one.stop
     return (stop.words + (f" (step {stop.step})" if step else "")
-            + ("" if start == GIVEN else f", started {start}"))  # fmt: skip
+            + ("" if start == GIVEN else f", started {start}"))
 
 
 def describe_verdict(one: Judgement) -> str:
@@ -167,7 +167,7 @@ def describe_verdict(one: Judgement) -> str:
         more = f", in momentum {other:.2f}" if apart > LIMITS.order_difference else ""
         return (f"{right}: with shorter steps it converges to the exact motion with order {convergence.order:.2f}"
                 f"{more}; a mistake that moves states by less than {convergence.unsure:.1e} would not be "
-                "seen.")  # fmt: skip
+                "seen.")
     if one.mistakes:
         return f"Wrong, and explained: {', or '.join(one.mistakes)}. {_word_explained(one)}"
     if stop and _is_lost(one):
@@ -177,12 +177,12 @@ def describe_verdict(one: Judgement) -> str:
         return f"Undecided: {_word_open(convergence)}{after}"
     if one.right is None:
         return (f"Undecided: the states are off by {one.residual:.2g}, which a method of order 1 or better may be with "
-                f"such steps (up to {one.allowed:.2g}).{after}")  # fmt: skip
+                f"such steps (up to {one.allowed:.2g}).{after}")
     if convergence is None:
         return f"Unexplained: the states are off by {one.residual:.2g}; such steps explain {one.allowed:.2g}.{after}"
     if convergence.limit is not None:
         return (f"Unexplained: with shorter steps it converges, but {convergence.limit:.2g} away from the exact "
-                f"motion.{after}")  # fmt: skip
+                f"motion.{after}")
     errors = ", ".join(_error(x, 2) for x in convergence.errors)
     return f"Unexplained: shorter steps do not converge; the errors are {errors}.{after}"
 
@@ -191,12 +191,12 @@ def _word_open(convergence: Convergence) -> str:
     """Return why the states do not decide the verdict, with the remedy."""
     if convergence.by_rounding:
         return (f"the states are exact as far as their digits show, to {convergence.unsure:.1e}, which is too little "
-                "for a verdict. Write more digits, or take fewer steps.")  # fmt: skip
+                "for a verdict. Write more digits, or take fewer steps.")
     if convergence.limit is None:
         errors = ", ".join(_error(x, 2) for x in convergence.errors)
         return f"the errors fall with shorter steps ({errors}), but not yet as a power of the step. Give shorter steps."
     return (f"with shorter steps it comes as near to the exact motion as such steps show, within "
-            f"{convergence.unsure:.1e}. Give shorter steps.")  # fmt: skip
+            f"{convergence.unsure:.1e}. Give shorter steps.")
 
 
 def _word_explained(one: Judgement) -> str:
@@ -244,7 +244,7 @@ def _word_length(change: float, within: str) -> str:
     """Return how a quaternion's length changes, and the remedy; a change of more than tenfold as the length itself."""
     amount = f"by {100.0 * abs(change):.2g} %" if change < LIMITS.max_percentage else f"to {1.0 + change:.3g}"
     return (f"the length of its quaternion {'grows' if change > 0.0 else 'falls'} {amount}{within}: normalize it after "
-            "each step; attitudes were compared at length 1.")  # fmt: skip
+            "each step; attitudes were compared at length 1.")
 
 
 def _count(number: int, word: str) -> str:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 GROUP = "polhode.figures"
 FILE_NAME = re.compile(r"(?!(con|prn|aux|nul)$)[a-z]+(_[a-z0-9]+)*")  # a file on every system, Windows and macOS too
 _RULE = ("is ignored, as its name must be KIND.FIGURE, where FIGURE is words in small letters joined by _, like "
-         "free-body.spin_rate. Rename or remove it.")  # fmt: skip
+         "free-body.spin_rate. Rename or remove it.")
 
 
 def figures_of(kind: AbstractKind) -> Figures:
@@ -66,7 +66,7 @@ def check_kinds_of_figures(kinds: list[str]) -> None:
             _warn(point, _RULE)
         elif whose not in kinds:
             _warn(point, f"is ignored, as there is no kind {shown(whose)}; there are {', '.join(kinds)}. Rename or "
-                         "remove it.")  # fmt: skip
+                         "remove it.")
 
 
 def _draw(point: Any, report: Any) -> Figure | None:

@@ -111,7 +111,7 @@ def _page_of_any_report(report: Report, name: str, surface: Surface | None) -> P
     if report.trajectory is None:
         raise InvalidInput(f"a report of kind {report.kind} has no motion to show. Its figures are in plot().")
     return make_page(report.trajectory, name=name, summary=with_powers(report.summary), surface=surface,
-                     notes=[with_powers(note) for note in report.notes], content=_content)  # fmt: skip
+                     notes=[with_powers(note) for note in report.notes], content=_content)
 
 
 def page_of_report(report: SystemReport, path: str | Path, *, surface: Surface | None = None) -> Path:
@@ -140,7 +140,7 @@ def page_of_answers(report: SystemReport, name: str, surface: Surface | None) ->
     assert kind is not None, f"a report of kind {report.kind} has no kind"
     notes = [with_powers(note) for note in report.notes]
     return make_page(kind.shown(report), **said, notes=notes,
-                   content=lambda _, samples, drawn: kind.content_of_report(report, samples, drawn))  # fmt: skip
+                   content=lambda _, samples, drawn: kind.content_of_report(report, samples, drawn))
 
 
 def _content(trajectory: Trajectory, samples: Samples, surface: Surface | None) -> PageContent | None:

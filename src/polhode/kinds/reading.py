@@ -99,7 +99,7 @@ def _build_spec(tables: dict[str, Any], path: Path) -> Spec:
         name=name, kind=kind, system=system, body=None if built is None else built.body, spin=model.spin,
         until=model.time.until, samples=model.time.samples, labels=make_labels(model.export, model.name or path.stem),
         source=model.body, folder=path.parent, body_notes=() if built is None else built.notes,
-    )  # fmt: skip
+    )
 
 
 def report(spec: Spec[Any] | str | Path) -> SystemReport:

@@ -89,7 +89,7 @@ def kinds_with_table(key: str) -> list[str]:
 def known_figures() -> set[str]:
     """Return the names of the figures of all kinds that can be imported, with those that are added to them."""
     return {name for kind in _importable()
-            for name in (*kind.figure_names, *added_figures(kind.name, kind.figure_names))}  # fmt: skip
+            for name in (*kind.figure_names, *added_figures(kind.name, kind.figure_names))}
 
 
 def kind_of_source(source: Any) -> AbstractKind | None:

@@ -43,7 +43,7 @@ def about_inertia(fit: ThrowFit | AttitudeFit) -> Group:
             Answer("ratios", None),
             Answer("degenerate", fit.degenerate, "", "not determined", "", sentence(fit.degenerate or "")),
             Answer("equal", None),
-        ])  # fmt: skip
+        ])
     intervals = fit.ratios.interval()
     answers = []
     for (name, value, error), (low, high) in zip(each(fit.ratios), intervals.tolist(), strict=True):
@@ -55,7 +55,7 @@ def about_inertia(fit: ThrowFit | AttitudeFit) -> Group:
         answers.append(Answer(f"ratios.{name}", estimate, "", name, "interval of 95 %", words))
     return Group("Inertia", [
         *answers, Answer("degenerate", None), Answer("equal", fit.equal, "", "equal within errors"),
-    ])  # fmt: skip
+    ])
 
 
 def about_moments(moments: Estimate | None) -> list[Group]:
@@ -85,7 +85,7 @@ def about_axes(fit: ThrowFit | AttitudeFit) -> Group:
         *named,
         Answer("axes", None if axes is None else axes.tolist(), "", "", "principal axes by columns, in device axes"),
         Answer("axes_error", error, "rad", "", "standard deviations of turns about the axes themselves"),
-    ])  # fmt: skip
+    ])
 
 
 def tell_misfit(fit: ThrowFit | AttitudeFit, unit: str) -> str:
@@ -113,9 +113,9 @@ def about_misfit(misfit: Misfit | None) -> Answer:
     value = None if misfit is None else {
         "probability": misfit.test.probability, "alike": misfit.test.alike, "tried": list(misfit.tried),
         "cause": misfit.cause,
-    }  # fmt: skip
+    }
     return Answer("misfit", value, "", "", "why residuals are not noise, so that nothing has an error; null where they "
-                  "are: probability of such residuals, were they noise; correlation of neighbours")  # fmt: skip
+                  "are: probability of such residuals, were they noise; correlation of neighbours")
 
 
 def describe_turning(motion: FreeMotion | None, times: Float64[Array, "n"], equal: str | None) -> str:

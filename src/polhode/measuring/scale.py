@@ -64,7 +64,7 @@ def moments_from_one(
 def moments_from_weight(
     fit: ThrowFit | AttitudeFit, with_weight: ThrowFit | AttitudeFit, mass: float, weight: float,
     place: Real[ArrayLike, "3"],
-) -> Estimate:  # fmt: skip
+) -> Estimate:
     """Return I1, I2, I3 [kg m²] of a body that was thrown without and with a small weight on it.
 
     About the common centre of mass the weight adds μ (|r|² − r rᵀ), μ = m M/(m + M): six equations for the two scales.

@@ -59,7 +59,7 @@ def read_scale(moment: str | None, mass: str | None, added_weight: str | None, h
     if any(parts) and not all(parts):
         names = "`mass`, `added_weight` and `weighted`"
         raise InvalidInput(f"{names} belong together: the body's mass, the weight with its place, and logs of throws "
-                           "with it. Give all three.")  # fmt: skip
+                           "with it. Give all three.")
     if any(parts) and moment is not None:
         raise InvalidInput("`moment` and `added_weight` both give the moments. Leave one out.")
     if mass is None or added_weight is None:

@@ -122,7 +122,7 @@ def shared_axes(axes: Float64[Array, "..."] | None) -> Float64[Array, "3 3"] | N
     each = axes.reshape(-1, 3, 3)
     if is_traced(axes) or not bool((each == each[0]).all()):
         raise InvalidInput("samples are along one set of axes, and these bodies have one each. Take "
-                           '`along("principal")`, or `state(times)`.')  # fmt: skip
+                           '`along("principal")`, or `state(times)`.')
     return each[0]
 
 

@@ -35,7 +35,7 @@ def broadcast_fields(fields: tuple[Any, ...], cores: tuple[int, ...]) -> tuple[A
     except ValueError:
         return fields
     return tuple(x if x is None else namespace(x).broadcast_to(x, (*batch, *x.shape[x.ndim - core :]))
-                 for x, core in zip(fields, cores, strict=True))  # fmt: skip
+                 for x, core in zip(fields, cores, strict=True))
 
 
 def register_fields(kind: type, body_numbers: tuple[str, ...]) -> None:

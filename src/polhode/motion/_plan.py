@@ -88,7 +88,7 @@ class MotionPlan:
         rest = {name: value for name, value in entries.items() if name not in ("stepping", "otherwise")}
         nested = entries.get("otherwise")
         return cls(Stepping(entries["stepping"]), **rest, otherwise=None if nested is None else
-                   cls.from_json_dict(nested))  # fmt: skip
+                   cls.from_json_dict(nested))
 
 
 _JSON_TYPES: dict[str, Any] = {

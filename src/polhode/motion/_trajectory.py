@@ -113,7 +113,7 @@ class Trajectory(Plotted):
         """
         if name not in (known := [*self.invariants, *self.balances, *self.observed]):
             raise InvalidInput(f"no quantity {shown(name)}; the trajectory has {', '.join(known) or 'none'}. "
-                               "Choose one of these.")  # fmt: skip
+                               "Choose one of these.")
         return self.quantities.get(name) or Quantity("", name.replace("_", " "))
 
     def part(self, name: str) -> Double[Array, "..."]:
@@ -152,7 +152,7 @@ class Trajectory(Plotted):
         """
         if self.motion is None:
             raise InvalidInput("the samples are not of an exact motion, so that the motion between them is not known. "
-                               "Integrate to the times that you need.")  # fmt: skip
+                               "Integrate to the times that you need.")
         return replace(self.motion.sample(times), frame=self.frame)
 
     def along(self, axes: str | Real[ArrayLike, "3 3"]) -> Trajectory:
@@ -200,7 +200,7 @@ class Trajectory(Plotted):
             raise InvalidInput(f'`along` must be "given" or "principal", the axes of the samples; got {shown(along)}.')
         if self.motion is not None and (along == "given" or self.axes is not None):
             remedy = "Make the motion by `from_body`." if self.axes is not None else (
-                'Make it by `from_body`, or, if its moments are the body\'s, give along="principal".')  # fmt: skip
+                'Make it by `from_body`, or, if its moments are the body\'s, give along="principal".')
             raise InvalidInput(f"the samples are of an exact motion, whose body is known. {remedy}")
         samples = self if self.frame is None else self.along(along)
         return replace(samples, frame=frame, axes=np.asarray(frame.axes) if along == "given" else None, given_axes=None)
@@ -250,7 +250,7 @@ class Trajectory(Plotted):
             rows, count = np.asarray(rows), len(self.times)
             if rows.ndim != 1 or not np.all((rows == rows.astype(int)) & (rows >= -count) & (rows < count)):
                 raise InvalidInput(f"`rows` must be a slice or a list of indices of the {count} samples; got "
-                                   f"{shown(rows.tolist())}.")  # fmt: skip
+                                   f"{shown(rows.tolist())}.")
         axis = len(self.batch_shape)
         at = (slice(None),) * axis + (rows,)
         values: dict[str, Any] = {name: getattr(self, name) for name in _SAMPLED}

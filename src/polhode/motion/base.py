@@ -108,7 +108,7 @@ class AbstractMotion(ExactMotion):
     def __init__(
         self, moments: ArrayLike, numbers: dict[str, ArrayLike], momentum: ArrayLike | None, attitude: ArrayLike | None,
         epoch: ArrayLike, angular_velocity: ArrayLike | None, axes: ArrayLike | None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Check the arguments, and set all fields.
 
         Args:
@@ -164,7 +164,7 @@ class AbstractMotion(ExactMotion):
         return body, momentum, attitude
 
     def _hold(self, body: tuple[Array, ...], momentum: Array, attitude: Array, epoch: Array,
-              axes: Array | None, given_axes: Array | None) -> None:  # fmt: skip
+              axes: Array | None, given_axes: Array | None) -> None:
         """Set all fields from momentum and attitude along the principal axes."""
         if is_jax(momentum):
             cores, same = (1, *(0 for _ in self.body_numbers), 1, 1, 0, 2, 2), given_axes is axes
@@ -191,7 +191,7 @@ class AbstractMotion(ExactMotion):
         numbers = {name: getattr(self, name) for name in self.body_numbers}
         new = object.__new__(type(self))
         AbstractMotion.__init__(new, self.moments, numbers, self.momentum_at_epoch, self.attitude_at_epoch, self.epoch,
-                                None, self.axes)  # fmt: skip
+                                None, self.axes)
         return new._principal
 
     # ------------------------------------------------------------------ the closed form, along the principal axes

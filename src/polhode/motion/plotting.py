@@ -37,7 +37,7 @@ class Plotted:
     def show(
         self: Any, *, name: str | None = None, summary: str = "", surface: Surface | None = None,
         notes: Sequence[str] = (), height: int = 760,
-    ) -> NotebookPage:  # fmt: skip
+    ) -> NotebookPage:
         """Return the motion's page for a notebook to show, as ``polhode.show`` does.
 
         Args:

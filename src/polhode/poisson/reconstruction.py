@@ -97,7 +97,7 @@ def reconstruct(
 def hermite(
     c: float, h: Float64[Array, "..."], a: Double[Array, "..."], b: Double[Array, "..."],
     slope_a: Double[Array, "..."], slope_b: Double[Array, "..."],
-) -> Double[Array, "..."]:  # fmt: skip
+) -> Double[Array, "..."]:
     """Return the cubic through values and slopes at both ends of intervals of length h, at the fraction c of them."""
     own, other = (1 + 2 * c) * (1 - c) ** 2, c * c * (3 - 2 * c)
     return own * a + other * b + h * (c * (1 - c) ** 2 * slope_a + c * c * (c - 1) * slope_b)

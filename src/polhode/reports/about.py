@@ -37,7 +37,7 @@ def about_body(body: Body, of_moments: str = "") -> Group:
         *([Answer("inertial_defect", body.inertial_defect, "kg m²")] if body.inertial_defect > 0.0 else []),
         *_about_inertia(body),
         *about_axes("principal_axes", body.principal_axes, of_moments),
-    ])  # fmt: skip
+    ])
 
 
 def _about_inertia(body: Body) -> list[Answer]:
@@ -80,7 +80,7 @@ def about_place(body: Body, label: str, point: Float64[Array, "3"], direction: F
         *moments_there,
         Answer("about.inertia", inertia, "kg m²", "", "about that point, given axes"),
         *(Answer("", None, "", words, "", row) for words, row in rows.items()),
-    ])  # fmt: skip
+    ])
 
 
 def about_axes(name: str, axes: Float64[Array, "3 3"], explanation: str = "") -> list[Answer]:
@@ -166,7 +166,7 @@ def about_stability(name: str, stability: Stability) -> list[Answer]:
 def verdicts(
     name: str, title: str, head: str, cell: Callable[[dict[str, Any]], str], rows: Sequence[dict[str, Any]],
     units: dict[str, str] | None = None, key: str = "", more: dict[str, Callable[[dict[str, Any]], str]] | None = None,
-) -> Table:  # fmt: skip
+) -> Table:
     """Return a table of verdicts, one row for each subject.
 
     Args:
@@ -200,7 +200,7 @@ def about_orbital_rests(moments: Float64[Array, "3"], mean_motion: float) -> Tab
         "radius": one.yaw, "velocity": one.roll, "normal": one.pitch, "region": one.region,
         "pitch_period": None if one.pitch_rate is None else 2.0 * math.pi / one.pitch_rate, "growth": one.growth,
         "roll_yaw_rates": None if one.roll_yaw_rates is None else list(one.roll_yaw_rates),
-    } for one in orbital_equilibria(moments, mean_motion)]  # fmt: skip
+    } for one in orbital_equilibria(moments, mean_motion)]
     columns = {
         "axes": lambda row: f"{row['radius']}, {row['velocity']}, {row['normal']}",
         "region": lambda row: row["region"],

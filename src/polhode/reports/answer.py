@@ -84,7 +84,7 @@ class Table(NamedTuple):
     def cells(self) -> list[list[str]]:
         """The rows of the text."""
         return [[round_words(cell(row), self.errors.get(head, 0.0)) for head, cell in self.columns.items()]
-                for row in self.rows if self.shown(row)]  # fmt: skip
+                for row in self.rows if self.shown(row)]
 
     def with_proofs(self) -> Table:
         """Return the table with the columns of its proofs."""

@@ -172,7 +172,7 @@ class Report(abc.ABC):
         """
         drawn = ((name, draw()) for name, draw in self.figures().items())  # one at a time, for the memory
         return [save_figure(figure, Path(folder) / f"{name}.{form}")
-                for name, figure in drawn if figure is not None for form in forms or ("png",)]  # fmt: skip
+                for name, figure in drawn if figure is not None for form in forms or ("png",)]
 
     def write(self, folder: str | Path, *forms: str) -> list[Path]:
         """Write the figures and the data into a folder, all or none of them, and return their paths.
@@ -219,7 +219,7 @@ class PlainReport(StudyReport):
     def __init__(
         self, name: str, kind: str, summary: str, answers: Sequence[Group | Table], notes: Sequence[str] = (),
         save: Callable[[Path], Path] | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Take the parts; ``save`` writes the data into a file and returns its path."""
         self.name, self.kind = name, kind
         self._summary, self._answers, self._notes, self._save = summary, answers, notes, save

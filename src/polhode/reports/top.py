@@ -191,7 +191,7 @@ def about_body(body: Body, top: HeavyTop, frame: BodyFrame) -> Group:
                vector(axis) + "  (principal axes)"),
         Answer("mgl", float(top.mgl), "N m", "weight × distance mgl"),
         Answer("integrable_case", case, "", "integrable case", "", case or "none"),
-    ])  # fmt: skip
+    ])
 
 
 def about_rests(judgements: dict[str, Stability]) -> Table:
@@ -240,7 +240,7 @@ def build_attitude(top: HeavyTop, attitude: Float64[Array, "4"], lean: float | N
 def build_start(
     top: HeavyTop, spin: SpinTable | None, momentum: Float64[Array, "3"], attitude: Float64[Array, "4"],
     lean: float | None,
-) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:  # fmt: skip
+) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:
     """Return momentum (3,) along, and attitude (4,) of, the principal axes at the start.
 
     Args:
@@ -258,7 +258,7 @@ def build_start(
         return _bearable(top, momentum), attitude
     if float(top.mgl) == 0.0:
         raise InvalidInput("`spin.spin`, `spin.precession` and `spin.nutation_rate` need a centre of mass apart from "
-                           "the fixed point; give `spin.angular_velocity`.")  # fmt: skip
+                           "the fixed point; give `spin.angular_velocity`.")
     turn, precession = spin.spin or 0.0, spin.precession or 0.0
     if isinstance(precession, str):
         tilt = float(axis_tilt(top, attitude)) if lean is None else lean
@@ -277,7 +277,7 @@ def _bearable(top: HeavyTop, momentum: Float64[Array, "3"]) -> Float64[Array, "3
         energy = float(np.sum(momentum / np.sqrt(top.moments) * (momentum / np.sqrt(top.moments))))
     if not energy < LIMITS.max_energy:
         raise InvalidInput(f"the spin must give an energy below {LIMITS.max_energy:g} J; its momentum is "
-                           f"{momentum.tolist()} kg m²/s. Check the rate and its unit.")  # fmt: skip
+                           f"{momentum.tolist()} kg m²/s. Check the rate and its unit.")
     return momentum
 
 

@@ -57,7 +57,7 @@ def read_body_file(key: str, path: Path, link: str | None, joints: Pose | None, 
     except Exception as error:  # whatever another package may do
         what = f"{type(error).__name__}: {one_line(str(error))}"
         raise FormatError(f"{path}: {of_others} cannot read it ({what}). Check the file, or update the package.") \
-            from error  # fmt: skip
+            from error
     if not isinstance(body, Body):
         raise FormatError(f"{path}: {of_others} gives {shown(body)}, not a Body. Update it.")
     return body

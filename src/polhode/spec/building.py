@@ -207,5 +207,5 @@ def compute_momentum(
     if momentum.ndim == 1 and not np.isfinite(momentum).all():
         rates = ", ".join(f"{x:.3g}" for x in velocity)
         raise InvalidInput(f"the spin ({rates}) rad/s along the principal axes gives a momentum beyond the range of "
-                           "numbers. Check the rate and its unit.")  # fmt: skip
+                           "numbers. Check the rate and its unit.")
     return momentum

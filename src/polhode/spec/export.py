@@ -59,7 +59,7 @@ def _as_text(value: Any) -> str | None:
 def _spice_id(value: Any) -> int:
     if type(value) is not int or not -(2**31) // 1000 < value < 0:
         raise ValueError(f"must be a negative whole number, as SPICE numbers spacecraft, like -999, and not below "
-                         f"{-(2**31) // 1000 + 1}; got {shown(value)}")  # fmt: skip
+                         f"{-(2**31) // 1000 + 1}; got {shown(value)}")
     return value
 
 

@@ -100,7 +100,7 @@ def three(unit: str) -> BeforeValidator:
     def check(value: Any) -> Any:
         if not isinstance(value, list) or len(value) != 3:
             raise ValueError(f'needs three quantities in a list, like ["{example}", "{example}", "{example}"]; '
-                             f"got {shown(value)}")  # fmt: skip
+                             f"got {shown(value)}")
         return value
 
     return BeforeValidator(check)
@@ -235,7 +235,7 @@ def _constants(value: Any) -> Any:
         return [value[0]]
     if not isinstance(value, list) or len(value) != 3:
         raise ValueError('needs three constants A ≥ B ≥ C in a list, like ["835.8 GHz", "435.4 GHz", "278.1 GHz"], or '
-                         f"one, of a linear molecule; got {shown(value)}")  # fmt: skip
+                         f"one, of a linear molecule; got {shown(value)}")
     return value
 
 

@@ -59,7 +59,7 @@ def build_known(table: BodyTable | PartTable) -> BuiltBody:
 def _check_about(
     table: BodyTable | PartTable, given: Float64[Array, "3 3"], inertia: Float64[Array, "3 3"],
     center: Float64[Array, "3"],
-) -> None:  # fmt: skip
+) -> None:
     """Refuse an inertia about a point that is less than that of the mass concentrated at its centre."""
     assert table.about is not None and table.mass is not None
     least, size = (np.linalg.eigvalsh(0.5 * one + 0.5 * one.T) for one in (inertia, given))

@@ -248,9 +248,9 @@ def _grid_on(part: PartTable) -> list[Float64[Array, "k 3"]]:
     radius, height = (1.0 + LIFT) * (part.radius or 0.0), part.height or 0.0
     turn = np.linspace(0.0, 2.0 * math.pi, 65)
     rings = [np.stack([radius * np.cos(turn), radius * np.sin(turn), np.full_like(turn, z)], axis=1)
-             for z in height * np.linspace(-0.5, 0.5, 6)]  # fmt: skip
+             for z in height * np.linspace(-0.5, 0.5, 6)]
     ribs = [np.array([[radius * math.cos(a), radius * math.sin(a), z] for z in (-0.5 * height, 0.5 * height)])
-            for a in 2.0 * math.pi / sectors * np.arange(sectors)]  # fmt: skip
+            for a in 2.0 * math.pi / sectors * np.arange(sectors)]
     return [line @ _turn(part).T + np.asarray(part.at) for line in [*rings, *ribs]]
 
 

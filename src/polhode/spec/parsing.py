@@ -91,5 +91,5 @@ def _is_deeper(value: Any, depth: int) -> bool:
     level = [value]
     for _ in range(depth):
         level = [item for one in level for item in (one.values() if isinstance(one, dict) else one)
-                 if isinstance(item, dict | list)]  # fmt: skip
+                 if isinstance(item, dict | list)]
     return bool(level)

@@ -24,7 +24,7 @@ def find_broken_part_rules(part: dict[str, Any], density_of_all: bool = False) -
     sources = [key for key in PART_SOURCES if key in part]
     if len(sources) != 1:
         yield (f"needs exactly one of {list_words(PART_SOURCES)}, for what it is; got {list_words(sources)}. "
-               'Give a shape like "box", or known mass and inertia')  # fmt: skip
+               'Give a shape like "box", or known mass and inertia')
         return
     (source,) = sources
     if "axis" in part and "attitude" in part:

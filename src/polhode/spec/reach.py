@@ -56,7 +56,7 @@ def beyond_reach(value: Any, at: Location, reach: float) -> Iterator[Mistake]:
     for location, number in numbers_in(value, at):
         if not (number == 0.0 or 1.0 / reach <= abs(number) <= reach):
             yield location, (f"must be zero or, in SI units, of a size from {1.0 / reach:g} to {reach:g}; "
-                             f"got {number:g}. Check number and unit")  # fmt: skip
+                             f"got {number:g}. Check number and unit")
 
 
 def check_reach(name: str, *numbers: float) -> None:
@@ -76,7 +76,7 @@ def check_reach(name: str, *numbers: float) -> None:
 def most_extreme(tables: dict[str, Any]) -> str:
     """Return the number of tables that is farthest from one, as "system.radius is 1e+90 in SI"; empty for none."""
     entries = [(abs(math.log10(abs(number))), location, number)
-             for location, number in numbers_in(tables) if number and math.isfinite(number)]  # fmt: skip
+             for location, number in numbers_in(tables) if number and math.isfinite(number)]
     if not entries:
         return ""
     _, location, number = max(entries, key=lambda one: one[0])

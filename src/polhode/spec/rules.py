@@ -84,7 +84,7 @@ def table_rules(table: dict[str, Any], kind: str, model: type[SystemTable] | Non
         if keys := [key for key in OF_A_TOP if key in spin]:
             verb = "gives" if len(keys) == 1 else "give"
             yield ("spin",), (f"{list_words(keys)} {verb} the rates of a top's Euler angles, which the system {kind} "
-                              f"does not take; give {list_words(WAYS, 'or')} instead")  # fmt: skip
+                              f"does not take; give {list_words(WAYS, 'or')} instead")
     if model is None:
         return  # what such a system needs is not known
     if "body" in model.needs and "body" not in table:
@@ -98,7 +98,7 @@ def _cone_rules(spin: dict[str, Any], kind: str, takes: bool) -> Iterator[str]:
     keys = [key for key in OF_A_CONE if key in spin]
     if not takes:
         yield (f"nutation is of a free symmetric body, which the system {kind} is not; give {list_words(WAYS, 'or')} "
-               "instead")  # fmt: skip
+               "instead")
     elif "nutation_rate" in spin:
         yield "nutation_rate is of a top; a free symmetric body keeps its nutation. Leave it out"
     elif keys and len(keys) != 2:

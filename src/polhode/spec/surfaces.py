@@ -51,7 +51,7 @@ def surface_of_body(table: BodyTable, folder: Path) -> Surface | None:
         if (count := _count_pieces(table, folder, {})) > LIMITS.max_pieces:
             raise InvalidInput(f"its parts have {count} pieces with those of other specs, more than "
                                f"{LIMITS.max_pieces}, which "
-                               "no page can draw. The report needs no picture.")  # fmt: skip
+                               "no page can draw. The report needs no picture.")
         return surface_of_parts(table.part, folder)
     if table.molecule is not None:
         from polhode.formats.molecule import read_molecule
@@ -96,7 +96,7 @@ def surface_of_parts(parts: Sequence[PartTable], folder: Path) -> Surface | None
             pieces.append(piece)
     if sum(len(piece.faces) for piece in pieces) > SCENE_LIMITS.max_triangles:
         raise InvalidInput(f"the parts have more than {SCENE_LIMITS.max_triangles} triangles together, which no page "
-                           "can draw.")  # fmt: skip
+                           "can draw.")
     corners = np.vstack([*(piece.vertices for piece in pieces), *np.reshape(points, (-1, 1, 3))])
     size = float(np.ptp(corners, axis=0).max())
     if size > 0.0:
@@ -177,7 +177,7 @@ def surface_of_atoms(symbols: Sequence[str], positions: Float64[Array, "n 3"]) -
     radii = np.array([radius for radius, _ in looks]) * ANGSTROM
     vertices, faces = ball(24 if len(radii) <= many else 12)
     shown = [color_surface(Surface(vertices * (ball_size * radius * ANGSTROM) + at, faces), color)
-             for (radius, color), at in zip(looks, positions, strict=True)]  # fmt: skip
+             for (radius, color), at in zip(looks, positions, strict=True)]
     for i, j in KDTree(positions).query_pairs(2.0 * bonded * radii.max(), output_type="ndarray"):
         if 0.0 < np.linalg.norm(positions[i] - positions[j]) <= bonded * (radii[i] + radii[j]):
             shown.append(color_surface(bar(positions[i], positions[j], BAR), bond_color))

@@ -84,7 +84,7 @@ class Misfit(NamedTuple):
 def test_noise(
     residuals: Sequence[Float64[Array, "n 3"]], slopes: Sequence[Float64[Array, "n 3 p"]] | None = None,
     highest: float = 1.0,
-) -> NoiseTest:  # fmt: skip
+) -> NoiseTest:
     """Test whether residuals are white noise.
 
     Args:

@@ -88,7 +88,7 @@ class LevelModel:
             (value * part, term)
             for name in (*AXES, *rotor.distortion) if name not in moved
             for value in [get_constant(rotor, name)] for part, term in _make_terms(rotor, name)
-        ]  # fmt: skip
+        ]
         self.count, self.size, self._blocks = len(labels), len(names), []
         for J in np.unique(labels[:, 0]).tolist():
             for block in wang.blocks(J):

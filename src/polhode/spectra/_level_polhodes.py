@@ -84,4 +84,4 @@ def level_polhodes(constants: tuple[float, float, float], J: int) -> LevelPolhod
     return LevelPolhodes(
         exact.Ka, exact.Kc, exact.energy + shared, energies + shared, energies > rest[1] * G * G, step, classical,
         doublet_splitting(rest, J, energies), rest[1] * G * G + shared,
-    )  # fmt: skip
+    )

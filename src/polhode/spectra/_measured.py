@@ -81,7 +81,7 @@ def observations(lines: MeasuredLines) -> Observations:
         column = np.asarray(values, float)
         if column.shape != (len(upper),) or len(lower) != len(upper):
             raise InvalidInput(f"`lines.{name}` must have one number for each line; got shape {column.shape} and "
-                               f"{len(upper)} and {len(lower)} labels.")  # fmt: skip
+                               f"{len(upper)} and {len(lower)} labels.")
         wrong = ~np.isfinite(column) | ((column <= 0.0) if name != "frequency" else False)
         if wrong.any():
             k = int(np.flatnonzero(wrong)[0])
@@ -91,7 +91,7 @@ def observations(lines: MeasuredLines) -> Observations:
     same = (upper == lower).all(axis=1)
     if same.any():
         raise InvalidInput(f"a line must be between two levels; line {int(np.flatnonzero(same)[0]) + 1} has the same "
-                           "upper and lower one. Check the assignment.")  # fmt: skip
+                           "upper and lower one. Check the assignment.")
     frequency, error, weight = columns["frequency"], columns["error"], columns["weight"]
     # lines next to each other with one frequency and error are one observation
     begins = np.concatenate([[True], (np.diff(frequency) != 0.0) | (np.diff(error) != 0.0)])

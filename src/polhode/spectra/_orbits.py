@@ -88,7 +88,7 @@ def orbit(constants: Three, G: float, energy: Number) -> Orbit:
         0.5 * G * np.where(below, cap, 2.0 * math.pi - cap),
         sign * 2.0 * G * other_K * zeta, period, other,
         (of_value * period + of_slope * by_energy) / 24.0, -(of_value * other + of_slope * other_by_energy) / 24.0,
-    )  # fmt: skip
+    )
 
 
 def _complete(complement: Number) -> tuple[Number, Number]:

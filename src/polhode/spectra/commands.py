@@ -9,7 +9,7 @@ from polhode.spectra import options as spectrum
 def levels(
     file: spectrum.MoleculeFile, json: AsJson = False, j_max: spectrum.LargestJ = None,
     out: spectrum.SpectrumFile = None,
-) -> None:  # fmt: skip
+) -> None:
     """Print a molecule's rotational levels."""
     from polhode.spectra.command import run_levels
 
@@ -21,7 +21,7 @@ def lines(
     temperature: spectrum.Temperature = None, lowest: spectrum.Lowest = None, highest: spectrum.Highest = None,
     min_intensity: spectrum.SmallestIntensity = None, most: spectrum.Strongest = 50, dipole: spectrum.Dipole = None,
     out: spectrum.SpectrumFile = None,
-) -> None:  # fmt: skip
+) -> None:
     """Print a molecule's rotational lines by frequency, with intensities."""
     from polhode.spectra.command import LineOptions, run_lines
 

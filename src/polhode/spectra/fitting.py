@@ -173,7 +173,7 @@ def fit_rotor(rotor: Rotor, lines: MeasuredLines, free: Sequence[str] | None = N
 def _find_sensitive(rotor: Rotor, names: list[str], observed: Observations) -> list[str]:
     """Return the constants that change any line; all where none does, so that the error names them."""
     _, slope, size = _at(_LineModel(rotor, names, observed.upper, observed.lower), observed,
-                         np.array([get_constant(rotor, name) for name in names]))  # fmt: skip
+                         np.array([get_constant(rotor, name) for name in names]))
     alone = _is_rounding(slope, size)
     return [name for name, silent in zip(names, alone, strict=True) if not silent] or names
 
@@ -245,7 +245,7 @@ def _fit_at(rotor: Rotor, names: list[str], values: Array, model: _LineModel, ob
     return RotorFit(
         _with(rotor, names, values), tuple(names), values, sigma * enlarged, correlation, noise, enlarged,
         observed.member, model(values)[0], weighted * observed.error, weighted, leverage, standardized, rms,
-    )  # fmt: skip
+    )
 
 
 def _test_lines(weighted: Array, free: int, rms: float) -> tuple[NoiseTest, float]:

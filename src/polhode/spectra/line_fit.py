@@ -73,9 +73,9 @@ class LineFitReport(StudyReport):
         if not self.determined:
             return (f"The lines are not those of this molecule within their errors: residuals are {fit.rms:.3g} times "
                     "as large. Labels, errors or missing constants are wrong. The constants of the best fit have no "
-                    "known errors.")  # fmt: skip
+                    "known errors.")
         return (f"{len(fit.names)} constants from {len(fit.residual)} observations, which they meet to {fit.rms:.3g} "
-                "of their errors.")  # fmt: skip
+                "of their errors.")
 
     @property
     def answers(self) -> list[Group | Table]:
@@ -89,7 +89,7 @@ class LineFitReport(StudyReport):
         if self.determined and not fit.noise.is_noise:
             notes.append(f"residuals are {fit.rms:.2g} times the lines' errors, more than chance leaves. Errors of the "
                          f"constants are enlarged by {fit.enlarged:.2g}, which is right if those of the lines are too "
-                         "small alike, and not if a label or the model is wrong.")  # fmt: skip
+                         "small alike, and not if a label or the model is wrong.")
         return notes
 
     def _write_data(self, path: Path) -> Path:
@@ -165,20 +165,20 @@ def _quality(fit: RotorFit, measured: MeasuredLines) -> Group:
         Answer("rms", fit.rms, "", "residuals, of their errors", "root mean square", f"{fit.rms:.6g}"),
         Answer("correlation", fit.correlation if fit.determined else None),
         Answer("rms_frequency", rms, "Hz", "residuals", "root mean square", f"{rms / MEGA:.6g} MHz"),
-    ])  # fmt: skip
+    ])
 
 
 def _constants(fit: RotorFit, start: Rotor) -> Table:
     determined = fit.determined
     columns = zip(fit.names, fit.values.tolist(), fit.sigma.tolist(), strict=True)
     rows = [{"constant": name, "value": value, "standard_error": sigma if determined else None,
-             "start": get_constant(start, name)} for name, value, sigma in columns]  # fmt: skip
+             "start": get_constant(start, name)} for name, value, sigma in columns]
     return Table("constants", "Constants", {
         "constant": lambda row: row["constant"],
         "MHz": lambda row: (uncertain(row["value"] / MEGA, row["standard_error"] / MEGA, digits=2) if determined
                             else f"{row['value'] / MEGA:.6g}, error not known"),
         "change": lambda row: f"{(row['value'] - row['start']) / MEGA:+.4g} MHz",
-    }, rows, {"value": "Hz", "standard_error": "Hz", "start": "Hz"}, key="constant")  # fmt: skip
+    }, rows, {"value": "Hz", "standard_error": "Hz", "start": "Hz"}, key="constant")
 
 
 def _worst(fit: RotorFit, measured: MeasuredLines) -> Table:
@@ -191,14 +191,14 @@ def _worst(fit: RotorFit, measured: MeasuredLines) -> Table:
             "upper": measured.upper[line].tolist(), "lower": measured.lower[line].tolist(),
             "frequency": float(measured.frequency[line]), "residual": float(fit.residual[k]),
             "standardized": float(fit.standardized[k]), "leverage": float(fit.leverage[k]),
-        })  # fmt: skip
+        })
     return Table("worst", "Observations that fit worst", {
         "line": lambda row: f"{label(*row['upper'])} – {label(*row['lower'])}",
         "MHz": lambda row: f"{row['frequency'] / MEGA:.4f}",
         "observed − calculated": lambda row: f"{row['residual'] / MEGA:+.4f} MHz",
         "of its spread": lambda row: f"{row['standardized']:+.2f}" if np.isfinite(row["standardized"]) else "–",
         "leverage": lambda row: f"{row['leverage']:.3f}",
-    }, rows, {"upper": "J, K_a, K_c", "lower": "J, K_a, K_c", "frequency": "Hz", "residual": "Hz"})  # fmt: skip
+    }, rows, {"upper": "J, K_a, K_c", "lower": "J, K_a, K_c", "frequency": "Hz", "residual": "Hz"})
 
 
 def _remarks(fit: RotorFit) -> list[str]:

@@ -26,7 +26,7 @@ def _fit(request: FitRequest) -> LineFitReport:
     if len(files) != 2:
         raise InvalidInput(f"{files[0]}: a molecule is fitted to one file of lines; got {len(files) - 1}. Write "
                            f"polhode fit SPEC LINES{LINES}; for a pendulum's periods give "
-                           f"`pendulum`.")  # fmt: skip
+                           f"`pendulum`.")
     if wrong := request.options.with_columns:
         raise InvalidInput(f"{name_arguments(wrong)} is for gyro logs, and {files[0]} is a molecule. Leave it out.")
     from polhode.spectra.line_fit import fit_lines

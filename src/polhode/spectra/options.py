@@ -33,7 +33,7 @@ Strongest = Annotated[
     int,
     typer.Option("--most", metavar="N", parser=whole_number(1, 10**7),
                  help="How many, the strongest of them."),
-]  # fmt: skip
+]
 Dipole = Annotated[
     str | None, typer.Option("--dipole", metavar="D,D,D", help="Along a, b, c in debye, in place of the spec's.")
 ]

@@ -57,7 +57,7 @@ def level_table(levels: Levels, last_j: int, shown_j: int) -> Table:
         {"J": J, "Ka": Ka, "Kc": Kc, "energy": energy, "wave_number": 100.0 * energy / WAVE_NUMBER,
          "symmetry": symmetry, "weight": weight}
         for J, Ka, Kc, energy, weight, symmetry in columns if J <= last_j
-    ]  # fmt: skip
+    ]
     more = f", J up to {shown_j}" if shown_j < last_j else ""
     return Table("levels", f"Levels{more}", {
         "level": lambda row: label(row["J"], row["Ka"], row["Kc"]),
@@ -67,7 +67,7 @@ def level_table(levels: Levels, last_j: int, shown_j: int) -> Table:
         "g_ns": lambda row: f"{row['weight']:g}",
     }, rows, {"energy": "Hz, E/h", "wave_number": "1/m, E/hc",
               "symmetry": "species of the group of half turns about a, b, c",
-              "weight": "of nuclear spins, without 2J + 1"}, shown=lambda row: row["J"] <= shown_j)  # fmt: skip
+              "weight": "of nuclear spins, without 2J + 1"}, shown=lambda row: row["J"] <= shown_j)
 
 
 def line_table(lines: Lines, title: str) -> Table:
@@ -80,7 +80,7 @@ def line_table(lines: Lines, title: str) -> Table:
             "upper": upper, "lower": lower, "frequency": nu, "wave_number": 100.0 * nu / WAVE_NUMBER,
             "intensity": intensity, "lg_intensity": math.log10(size) if size > 0.0 else -math.inf,
             "lower_energy": energy, "strength": strength, "weight": weight, "einstein": einstein,
-        })  # fmt: skip
+        })
     return Table("lines", title, {
         "line": lambda row: f"{label(*row['upper'])} – {label(*row['lower'])}",
         "MHz": lambda row: f"{row['frequency'] / 1e6:.4f}",
@@ -94,4 +94,4 @@ def line_table(lines: Lines, title: str) -> Table:
         "intensity": "m² Hz, integrated cross section", "lg_intensity": "of the intensity in nm² MHz, as in catalogues",
         "lower_energy": "Hz, E/h", "strength": "C² m², line strength times dipole squared, without nuclear spins",
         "weight": "of nuclear spins, without 2J + 1", "einstein": "1/s, of spontaneous emission",
-    })  # fmt: skip
+    })

@@ -344,7 +344,7 @@ def _check_constants(constants: Array) -> tuple[float, float, float]:
     A, B, C = (float(x) for x in values)
     if A == 0.0 and B == C > 0.0:  # as codes of quantum chemistry print those of a linear molecule
         raise InvalidInput(f"`constants` must be in the order A ≥ B ≥ C; got 0, {B:g}, {C:g}. A linear molecule "
-                           f"has an infinite A: write (inf, {B:g}, {C:g}).")  # fmt: skip
+                           f"has an infinite A: write (inf, {B:g}, {C:g}).")
     if not A >= B >= C:
         raise InvalidInput(
             f"`constants` must be in the order A ≥ B ≥ C; got {A:g}, {B:g}, {C:g}. Write them in this "

@@ -126,7 +126,7 @@ def _warn_of_no_room(constants: Three, G: float, roomless: int) -> None:
             f"the rotor A, B, C = {A:.9g}, {B:.9g}, {C:.9g} is so nearly symmetric that order 2 has no room next to "
             f"the saddle of J = {G - 0.5:g}: levels there err by up to {0.25 * (A - C):.3g}. The exact ones are "
             "`Rotor(constants).levels_of(J)`.", stacklevel=4,
-        )  # fmt: skip
+        )
 
 
 def without_casimir(constants: Three) -> tuple[Three, float]:

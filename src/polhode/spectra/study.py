@@ -162,7 +162,7 @@ def spectrum(
     molecule: Path | str | Spec[Any], *, j_max: int | None = None, temperature: float | str | None = None,
     lowest: float | str | None = None, highest: float | str | None = None, min_intensity: float = 0.0, most: int = 50,
     dipole: Sequence[float] | None = None,
-) -> SpectrumReport:  # fmt: skip
+) -> SpectrumReport:
     """Return the rotational lines of a molecule, the strongest of those within the bounds.
 
     Args:
@@ -189,7 +189,7 @@ def spectrum(
 def spectrum_within(
     molecule: Path | str | Spec[Any], j_max: int | None, temperature: float | str | None,
     bounds: Mapping[str, float | str | None], min_intensity: float, most: int, dipole: Sequence[float] | None,
-) -> SpectrumReport:  # fmt: skip
+) -> SpectrumReport:
     """Return the report of ``spectrum``."""
     kelvin = _read_option("`temperature`", temperature, lambda text: parse_quantity(text, "K"))
     low, high = (_read_option(f"`{name}`", bound, parse_spectroscopic) for name, bound in bounds.items())
@@ -201,7 +201,7 @@ def spectrum_within(
         raise InvalidInput(f"`most` must be a whole number of lines, 1 or more; got {shown(most)}.")
     if not isinstance(min_intensity, int | float) or not 0.0 <= min_intensity < math.inf:
         raise InvalidInput(f"`min_intensity` must be a number of nm² MHz, not negative; got "
-                           f"{shown(min_intensity)}.")  # fmt: skip
+                           f"{shown(min_intensity)}.")
     moment = None if dipole is None else _dipole(dipole, "`dipole`")
     with warnings_as_notes(_place(molecule)) as notes:
         spec = _spec(molecule)

@@ -25,7 +25,7 @@ def fit(
     clip: str | float | None = None, moment: str | None = None, mass: str | None = None,
     added_weight: str | None = None, weighted: Sequence[Path | str] = (), columns: Mapping[str, Any] | None = None,
     pendulum: bool = False,
-) -> ThrowReport | AttitudeReport | LineFitReport | PendulumReport:  # fmt: skip
+) -> ThrowReport | AttitudeReport | LineFitReport | PendulumReport:
     """Fit the model that the files determine, and return the report.
 
     Gyro logs of throws of one body, and a log of its attitude, tell its ratios of inertia; a spec or a file of atoms
@@ -65,7 +65,7 @@ def fit(
         raise InvalidInput(f"`{wrong[0]}` must be a list; got {shown(lists[wrong[0]])}.")
     table = take_columns(columns, True)
     options = FitOptions(windows, drag, torque, rotor, gain, clip, moment, mass, added_weight,
-                         [as_path("weighted", path) for path in weighted], table)  # fmt: skip
+                         [as_path("weighted", path) for path in weighted], table)
     paths = [as_path("files", path) for path in files]
     return with_inputs(lambda: fit_files(paths, free, options, pendulum=pendulum))
 
@@ -73,7 +73,7 @@ def fit(
 def fit_files(
     files: Sequence[Path], free: Sequence[str] | None, options: FitOptions, progress: Progress | None = None,
     pendulum: bool = False,
-) -> ThrowReport | AttitudeReport | LineFitReport | PendulumReport:  # fmt: skip
+) -> ThrowReport | AttitudeReport | LineFitReport | PendulumReport:
     """Return the report of ``fit``."""
     if not files:
         raise InvalidInput("`files` is empty. Name a log, or a spec and its measured lines.")

@@ -38,7 +38,7 @@ def write_spec(trajectory: Trajectory, labels: AttitudeLabels | None, path: Path
         why = f" ({trajectory.outcome.message})" if trajectory.outcome.message else ""
         other = ", or give one of the body as `spec`" if missing == "inertia" else ""
         raise InvalidInput(f"{path}: a spec needs attitude, inertia and angular velocity of one body, and {source} "
-                           f"gives no such {missing}{why}. Write a dataset, .nc{other}.")  # fmt: skip
+                           f"gives no such {missing}{why}. Write a dataset, .nc{other}.")
     given, frame = trajectory.along("given"), trajectory.frame
     assert frame is not None and given.attitude is not None and given.angular_velocity is not None
     rows = [_quantities(row, "kg*m^2") for row in _rounded(np.asarray(frame.inertia))]

@@ -181,7 +181,7 @@ def read_recorded(
     form = find_form(kind)
     if form is None or form.read is None:
         raise InvalidInput(f"{path}: is no AEM, C-kernel, table or dataset, as it does not begin like one. Check the "
-                           "file.")  # fmt: skip
+                           "file.")
     trajectory = _read_form(form, path, kernels)
     labels = find_labels(trajectory) if form.has_labels else None
     return kind, trajectory, _keep_chosen(labels) if form.is_own else labels
@@ -207,7 +207,7 @@ def _read_form(form: Form, path: Path, kernels: Kernels) -> Trajectory:
         raise FormatError(f"{path}: cannot be read as {as_what} ({why}). Check the file.") from error
     if not isinstance(trajectory, Trajectory):
         raise FormatError(f"{path}: the format {form.name} of another package gives {shown(trajectory)}, not a "
-                          "Trajectory. Update the package.")  # fmt: skip
+                          "Trajectory. Update the package.")
     times = np.asarray(trajectory.times)
     if not form.is_own and not len(times):
         raise FormatError(f"{path}: holds no samples. Check the file.")
@@ -230,12 +230,12 @@ def load_source(path: Path, kernels: Kernels, table: TableMapping | None = None,
     _, recorded, labels = read_recorded(path, kernels, table, kind)
     if kind == TABLE and recorded.attitude is None:
         raise InvalidInput(f"{path}: a comparison is of attitudes, and only `gyro` is given. Name them by `quat`, "
-                           "`matrix`, `mrp` or `euler`.")  # fmt: skip
+                           "`matrix`, `mrp` or `euler`.")
     trajectory = recorded.along("given")
     history = replace(
         _history(path, trajectory), resolution=_resolution(kind, recorded),
         mechanics=_find_mechanics(trajectory, recorded.frame),
-    )  # fmt: skip
+    )
     return Source(kind, trajectory, history, labels, None, find_begin(path, recorded))
 
 

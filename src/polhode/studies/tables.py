@@ -13,7 +13,7 @@ from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Answer, Group
 
 EXAMPLE = ('`columns={"time": "t", "time_unit": "s", "quat": "qw,qx,qy,qz", "order": "wxyz", "gyro": "gx,gy,gz", '
-           '"unit": "deg/s"}`')  # fmt: skip
+           '"unit": "deg/s"}`')
 
 
 class ReadingLimits(NamedTuple):
@@ -88,7 +88,7 @@ def describe_reading(trajectory: Trajectory, title: str, level: str) -> Group:
                None if off is None else f"{off:.2g}, normalised"),
         Answer(f"{prefix}rates_apart", apart, "", "rates differ from the attitude's by", "relative, rms",
                None if apart is None else f"{100.0 * apart:.3g} %"),
-    ])  # fmt: skip
+    ])
 
 
 def list_reading_notes(trajectory: Trajectory, name: str) -> list[str]:
@@ -98,5 +98,5 @@ def list_reading_notes(trajectory: Trajectory, name: str) -> list[str]:
     notes = [f"{name}: {note}" for note in reading["notes"]]
     if (reading["rates_apart"] or 0.0) > LIMITS.max_rate_residual:
         notes.append(f"{name}: the attitude does not follow the angular velocity. Check direction, order, "
-                     "sequence and units.")  # fmt: skip
+                     "sequence and units.")
     return notes

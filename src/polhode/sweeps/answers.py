@@ -103,7 +103,7 @@ class SweepReport(StudyReport):
     def summaries(self) -> dict[str, Summary]:
         """Each input, output and the status in summary."""
         return {column.name: join_summaries(mark.arrays[column.name].summary for mark in self.marks)
-                for column in self.sweep.columns}  # fmt: skip
+                for column in self.sweep.columns}
 
     @cached_property
     def marks(self) -> list[Mark]:
@@ -147,11 +147,11 @@ class SweepReport(StudyReport):
         if reasons:
             number, why = reasons[0]
             notes.append(f"statistics leave out the samples that were not computed. The first of them, sample {number} "
-                         f"(from 0): {why.removesuffix('.')}.")  # fmt: skip
+                         f"(from 0): {why.removesuffix('.')}.")
         design = self.sweep.plan.design
         if design.crossed:
             notes.append(f"samples are {design.group} to each of {design.draws:,} base points, for the sensitivities; "
-                         "standard errors and intervals count them as independent, which they are not.")  # fmt: skip
+                         "standard errors and intervals count them as independent, which they are not.")
         elif design.points == "sobol":
             notes.append("standard errors and intervals are those of random samples; Sobol' points do better.")
         return notes
@@ -164,7 +164,7 @@ class SweepReport(StudyReport):
             Answer(STATUS, self.status),
             Answer("seed", self.sweep.plan.design.seed, "", "seed"),
             Answer("checksum", mark, "", "checksum of all samples", "SHA-256", f"{mark[:16]}…"),
-        ])  # fmt: skip
+        ])
         numbers, words, shares = list(self._numbers()), list(self._words()), list(self._sensitivities())
         units = {column.name: column.unit for column in self.outputs}
         return [about, *_tables(numbers, words, shares, units, self.status.get(DONE, 0))]
@@ -191,7 +191,7 @@ class SweepReport(StudyReport):
                     "standard_deviation": one.deviation, "least": one.low if one.count else None,
                     **{f"quantile_{round(100 * level):02d}": q for level, q in zip(LEVELS, quantiles, strict=True)},
                     "largest": one.high if one.count else None,
-                }  # fmt: skip
+                }
 
     def _quantiles(self, column: Column, k: int, one: Numbers) -> list[float | None]:
         if not one.count or self.sweep.plan.keep != "all" or self.sweep.plan.design.count > LIMITS.max_exact_samples:
@@ -209,7 +209,7 @@ class SweepReport(StudyReport):
             for word, count in sorted(known.items(), key=lambda item: (-item[1], item[0])):
                 low, high = binomtest(count, total).proportion_ci(0.95, "wilson")
                 yield {"output": column.name, "value": word, "count": count, "probability": count / total,
-                       "low": float(low), "high": float(high)}  # fmt: skip
+                       "low": float(low), "high": float(high)}
 
     def _sensitivities(self) -> Iterator[dict[str, Any]]:
         design = self.sweep.plan.design
@@ -232,7 +232,7 @@ class SweepReport(StudyReport):
 def _tables(
     numbers: list[dict[str, Any]], words: list[dict[str, Any]], shares: list[dict[str, Any]], units: dict[str, str],
     done: int,
-) -> Iterator[Table]:  # fmt: skip
+) -> Iterator[Table]:
     """Yield the tables that have rows."""
 
     def format_cell(name: str) -> Any:

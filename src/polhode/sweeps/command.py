@@ -48,7 +48,7 @@ def run_sweep(path: Path, options: SweepOptions) -> None:
     folder = _figures_folder(out)
     if not options.no_figures and folder.exists() and not folder.is_dir():
         raise InvalidInput(f"{folder}: is a file, where the figures' folder is needed. Choose another name with --out, "
-                           "or leave the figures out with --no-figures.")  # fmt: skip
+                           "or leave the figures out with --no-figures.")
     store = sweep.begin(out)
     try:
         with _progress(sweep, store) as tell:
@@ -124,7 +124,7 @@ def _print_cost(sweep: Sweep, out: Path, seconds: float, workers: int, options: 
         if options.scheduler is None else Answer("", None),
         Answer("store_size", sweep.bytes, "B", "store, at most", "", in_bytes(sweep.bytes)),
         Answer("chunk_memory", sweep.chunk_bytes, "B", "memory for a chunk's arrays", "", in_bytes(sweep.chunk_bytes)),
-    ])  # fmt: skip
+    ])
     report = PlainReport(sweep.plan.path.stem, "sweep-cost", "Nothing is computed in a dry run.", [group])
     publish(report, options.json)
 

@@ -244,7 +244,7 @@ class VonMisesFisher(AbstractRandom):
         wanted = {"mean", "concentration", "length"}
         if not isinstance(value, dict) or set(value) != wanted:
             raise ValueError('must be like { mean = [0, 0, 1], concentration = 100, length = "60 rpm" }; got '
-                             f"{shown(value)}")  # fmt: skip
+                             f"{shown(value)}")
         mean = plain.several(value["mean"], ("x", "y", "z"))
         size = math.hypot(*mean)
         concentration = plain(value["concentration"])
@@ -329,7 +329,7 @@ class Grid(AbstractPlaced):
         needed = {"from", "to", "count"}
         if not isinstance(value, dict) or not needed <= set(value) <= {*needed, "spacing"}:
             raise ValueError('must be a list of values, or like { from = "1 rpm", to = "9 rpm", count = 5 }, with or '
-                             f'without spacing = "log"; got {shown(value)}')  # fmt: skip
+                             f'without spacing = "log"; got {shown(value)}')
         low, high = reader(value["from"]), reader(value["to"])
         count, spacing = value["count"], value.get("spacing", "even")
         if type(count) is not int or not 2 <= count <= LIMITS.max_grid_values:

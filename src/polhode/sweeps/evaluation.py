@@ -151,7 +151,7 @@ class Evaluator:
         return [
             _state_column(name, trajectory, self.plan.times) if trajectory is not None and name in self.plan.states
             else _answer_column(name, answers, units) for name in self.plan.outputs
-        ]  # fmt: skip
+        ]
 
     @cached_property
     def columns(self) -> list[Column]:
@@ -324,7 +324,7 @@ def _answer_column(name: str, values: dict[str, Any], units: dict[str, str]) -> 
         near = difflib.get_close_matches(name, known, 1)
         hint = f"did you mean {near[0]}?" if near else f"some that it has: {', '.join(known[:12])}, …"
         raise _NoSuchAnswer(f"sweep.outputs: the report has no answer {shown(name)}; {hint} `polhode report SPEC "
-                            "--json` shows all; places in lists count from 1.")  # fmt: skip
+                            "--json` shows all; places in lists count from 1.")
     value = _pick(values, name)
     unit = _unit(units, name)
     if isinstance(value, bool):
@@ -369,7 +369,7 @@ def _has(values: Any, name: str) -> bool:
 def _names(values: Any, before: str = "") -> Iterable[str]:
     """Yield the names of all answers."""
     items = values.items() if isinstance(values, dict) else (
-        ((str(k + 1), item) for k, item in enumerate(values)) if isinstance(values, list) else ())  # fmt: skip
+        ((str(k + 1), item) for k, item in enumerate(values)) if isinstance(values, list) else ())
     for key, item in items:
         nested = isinstance(item, dict) or (isinstance(item, list) and item and isinstance(item[0], dict))
         if nested:

@@ -141,7 +141,7 @@ def _tiles(axes: Any, x: Any, y: Any, verdicts: Any, known: list[str]) -> None:
     most = np.where(counts.sum(axis=0) > 0.0, counts.argmax(axis=0), np.nan)
     colours = [_colour(word, k) for k, word in enumerate(known)]
     axes.pcolormesh(across, along, most, cmap=ListedColormap(colours), vmin=-0.5, vmax=len(known) - 0.5,
-                    shading="nearest", rasterized=True)  # fmt: skip
+                    shading="nearest", rasterized=True)
 
 
 def _dots(axes: Any, x: Any, y: Any, verdicts: Any, known: list[str]) -> None:
@@ -151,13 +151,13 @@ def _dots(axes: Any, x: Any, y: Any, verdicts: Any, known: list[str]) -> None:
     for k, word in enumerate(known):
         here = verdicts == word
         axes.plot(x[here], y[here], ls="", marker=MARKS[k % len(MARKS)], ms=2.2, mec="none", alpha=0.7,
-                  color=_colour(word, k), rasterized=True)  # fmt: skip
+                  color=_colour(word, k), rasterized=True)
 
 
 def sensitivities(report: SweepReport) -> Figure | None:
     """Return the shares of each output's variance that inputs explain, alone and in all; None without an analysis."""
     rows = [dict(row) for group in report.answers if getattr(group, "name", "") == "sensitivities"
-            for row in getattr(group, "rows", [])]  # fmt: skip
+            for row in getattr(group, "rows", [])]
     if not rows:
         return None
     outputs = list(dict.fromkeys(row["output"] for row in rows))[:MAX_PANELS]

@@ -103,11 +103,11 @@ class Layout:
                 column.name, shape=(self.samples, *column.shape), chunks=(self.chunk, *column.shape),
                 dtype=column.type, fill_value=None if column.text else np.nan, compressors=COMPRESSOR, filters=None,
                 attributes={"_ARRAY_DIMENSIONS": _dimensions(column, bool(self.times)), **_attributes(column)},
-            )  # fmt: skip
+            )
         if self.times and self.arrays:
             clock = group.create_array("time", shape=(len(self.times),), chunks=(len(self.times),), dtype="<f8",
                                        compressors=COMPRESSOR, filters=None,
-                                       attributes={"_ARRAY_DIMENSIONS": ["time"], "units": "s"})  # fmt: skip
+                                       attributes={"_ARRAY_DIMENSIONS": ["time"], "units": "s"})
             clock[:] = np.asarray(self.times)
         zarr.consolidate_metadata(store, zarr_format=2)
         documents = {path: part.to_bytes() for path, part in packed.items()}

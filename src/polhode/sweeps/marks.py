@@ -58,7 +58,7 @@ class Mark(_Sealed):
     @classmethod
     def of(cls, chunk: Chunk, number: int, layout: Layout) -> Mark:
         arrays = {name: OfArray(digest=hash_array(values), summary=summarise(values))
-                  for name, values in chunk.values.items()}  # fmt: skip
+                  for name, values in chunk.values.items()}
         longest = 100_000  # characters
         reasons = [(sample, why[:longest]) for sample, why in chunk.reasons]
         return cls(sweep=layout.fingerprint, chunk=number, arrays=arrays, reasons=reasons)
@@ -88,7 +88,7 @@ def read_mark(content: bytes, number: int, layout: Layout) -> Mark | None:
     fits = (mark.sweep == layout.fingerprint and mark.chunk == number and mark.arrays.keys() == columns.keys()
             and len(mark.reasons) <= 3 and all(low <= sample < high for sample, _ in mark.reasons)
             and all(_fits(array.summary, columns[name], high - low)
-                    for name, array in mark.arrays.items()))  # fmt: skip
+                    for name, array in mark.arrays.items()))
     return mark if fits else None
 
 

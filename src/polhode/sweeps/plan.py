@@ -123,7 +123,7 @@ def _read_plan(path: Path) -> Plan:
     tables = read_tables(path)
     if SWEEP not in tables:
         raise InvalidInput(f"{path}: has no table [sweep]. Add one, with samples, outputs and, under [sweep.inputs], "
-                           f"what varies: {EXAMPLE}")  # fmt: skip
+                           f"what varies: {EXAMPLE}")
     raw = tables.pop(SWEEP)
     kind = kind_of_tables(tables, path)
     if not isinstance(raw, dict):
@@ -196,7 +196,7 @@ def _find_broken(table: SweepTable, inputs: dict[str, Any]) -> list[Mistake]:
     states = any(name.startswith(STATES) for name in table.outputs)
     if states != bool(table.times):
         text = 'is missing; states need times, like ["10 s", "20 s"]' if states else (
-            'goes with outputs such as "states.attitude"; add one, or leave it out')  # fmt: skip
+            'goes with outputs such as "states.attitude"; add one, or leave it out')
         wrong.append(((SWEEP, "times"), text))
     if np.any(np.diff(table.times) <= 0.0):
         wrong.append(((SWEEP, "times"), f"must ascend, without repetitions; got {shown(table.times)} s. Sort them"))

@@ -83,7 +83,7 @@ class Sweep:
         """
         evaluator = Evaluator(plan)
         inputs = [Column(key, (how.length,) if how.length else (), unit=plan.units[key])
-                  for key, how in plan.design.inputs.items()]  # fmt: skip
+                  for key, how in plan.design.inputs.items()]
         with record_files() as read, record_plugins() as plugins:
             columns = (*inputs, *evaluator.columns, Column(STATUS, text=True))
             chunk = evaluator.chunk_size
@@ -144,7 +144,7 @@ class Sweep:
     def run(
         self, store: Store, workers: int, scheduler: str | None = None,
         tell: Callable[[int], object] = lambda samples: None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Compute all chunks that are not finished.
 
         Args:
@@ -161,10 +161,10 @@ class Sweep:
                 damage = store.settle()
                 if damage.chunks:
                     warnings.warn(f"{store.path}: {damage.chunks} of {self.chunks} finished chunks are damaged, and "
-                                  "are computed again.", stacklevel=2)  # fmt: skip
+                                  "are computed again.", stacklevel=2)
                 if damage.documents:
                     warnings.warn(f"{store.path}: {damage.documents} of its documents on what arrays there are were "
-                                  "missing or changed, and are as they were again.", stacklevel=2)  # fmt: skip
+                                  "missing or changed, and are as they were again.", stacklevel=2)
                 self._run_missing(store, workers, scheduler, tell)
             except BaseException:
                 store.remove_if_empty()
@@ -203,7 +203,7 @@ class Sweep:
             def hand_out(count: int) -> list[Any]:
                 numbers = [number for _, number in zip(range(count), waiting, strict=False)]
                 return [client.submit(_compute_remotely, job, place, number, key=f"{name}-{number}", pure=False)
-                        for number in numbers]  # fmt: skip
+                        for number in numbers]
 
             per_thread = 2  # chunks, so that no thread waits for the next
             at_work = as_completed(hand_out(per_thread * _threads(client)))
@@ -234,7 +234,7 @@ def _parts(plan: Plan, read: dict[Path, str], plugins: frozenset[Plugin]) -> dic
 
 def _compute(
     evaluator: Evaluator, store: Store, number: int, read: dict[Path, str], plugins: frozenset[Plugin]
-) -> None:  # fmt: skip
+) -> None:
     """Compute a chunk and write it, if files and code that it was computed from are still those of the other chunks.
 
     Raises:
@@ -245,7 +245,7 @@ def _compute(
     for path, digest in digests.items():
         if read.get(path, digest) != digest:
             raise InvalidInput(f"{path}: changed while the sweep ran, whose samples would be of two kinds. Put it back "
-                               "and run the sweep again, or choose another folder with `store`.")  # fmt: skip
+                               "and run the sweep again, or choose another folder with `store`.")
     digest_plugins(plugins)
     store.write(number, chunk)
 
@@ -260,7 +260,7 @@ def _make_evaluator(job: _Job) -> Evaluator:
     if program_digest(job.plugins) != job.program:
         raise InvalidInput(f"the worker on {platform.node()} has another version of polhode, of Python, of a library "
                            "or of a package that adds to polhode, or another setting such as XLA_FLAGS, than the "
-                           "command, and would compute other last digits. Give all the same.")  # fmt: skip
+                           "command, and would compute other last digits. Give all the same.")
     return Evaluator(job.plan)
 
 
@@ -280,20 +280,20 @@ def _cluster(workers: int, scheduler: str | None) -> Iterator[Any]:
         from dask import config
         from distributed import Client, LocalCluster
     with config.set({"distributed.comm.timeouts.connect": f"{LIMITS.answer_timeout}s",
-                     "distributed.nanny.pre-spawn-environ": ENVIRONMENT}):  # fmt: skip
+                     "distributed.nanny.pre-spawn-environ": ENVIRONMENT}):
         if scheduler is not None:
             try:
                 client = Client(scheduler, timeout=LIMITS.answer_timeout)
             except (OSError, ValueError, TimeoutError) as error:
                 raise InvalidInput(f"`scheduler` {scheduler} does not answer ({error}). Start one with `dask "
-                                   "scheduler` and give its address, like tcp://host:8786.") from None  # fmt: skip
+                                   "scheduler` and give its address, like tcp://host:8786.") from None
             with client:
                 _await_workers(client, scheduler)
                 yield client
             return
         with _deaf_to_interrupts():
             cluster = LocalCluster(n_workers=workers, threads_per_worker=1, processes=True,
-                                   dashboard_address=NO_DASHBOARD, silence_logs=50)  # fmt: skip
+                                   dashboard_address=NO_DASHBOARD, silence_logs=50)
         with cluster, Client(cluster) as client:
             try:
                 yield client
@@ -304,7 +304,7 @@ def _cluster(workers: int, scheduler: str | None) -> Iterator[Any]:
 
 async def _end_workers(cluster: Any) -> None:
     await asyncio.gather(*(nanny.close(timeout=LIMITS.stop_timeout) for nanny in list(cluster.workers.values())),
-                         return_exceptions=True)  # fmt: skip
+                         return_exceptions=True)
 
 
 def _await_workers(client: Any, scheduler: str) -> None:
@@ -316,12 +316,12 @@ def _await_workers(client: Any, scheduler: str) -> None:
     if client.nthreads():
         return
     warnings.warn(f"the scheduler {scheduler} has no workers yet; waiting up to {LIMITS.worker_timeout:g} s for "
-                  "one.", stacklevel=2)  # fmt: skip
+                  "one.", stacklevel=2)
     try:
         client.wait_for_workers(1, timeout=LIMITS.worker_timeout)
     except TimeoutError:
         raise InvalidInput(f"the scheduler {scheduler} has no workers. Start one with `dask worker {scheduler}`, "
-                           "where it sees the store's folder.") from None  # fmt: skip
+                           "where it sees the store's folder.") from None
 
 
 @contextlib.contextmanager
@@ -366,7 +366,7 @@ def _explain_failure(sweep: Sweep, store: Store) -> Iterator[None]:
             why = f"{store.path}: cannot be written ({error.strerror or error}). {room} {kept}"
         elif isinstance(error, MemoryError) or _is_killed_worker(error):
             why = (f"{store.path}: workers were killed several times on one chunk, most likely for lack of memory. "
-                   f"Set a smaller sweep.chunk, or take fewer workers. {kept}")  # fmt: skip
+                   f"Set a smaller sweep.chunk, or take fewer workers. {kept}")
         else:
             why = f"{store.path}: a worker failed ({type(error).__name__}: {error}). {kept}"
         raise InvalidInput(why) from error

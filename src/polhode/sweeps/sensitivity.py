@@ -48,6 +48,6 @@ def sobol_indices(design: Design, values: Any) -> list[Indices] | None:
     problem = {"num_vars": len(names), "names": names, "bounds": [[0.0, 1.0]] * len(names)}
     with np.errstate(all="ignore"):
         indices = sobol.analyze(problem, groups.ravel(), calc_second_order=False, num_resamples=200,
-                              conf_level=0.95, seed=design.seed % 2**32)  # fmt: skip
+                              conf_level=0.95, seed=design.seed % 2**32)
     columns = (indices[key] for key in ("S1", "S1_conf", "ST", "ST_conf"))
     return [Indices(name, *map(float, row)) for name, *row in zip(names, *columns, strict=True)]

@@ -87,7 +87,7 @@ class Store:
             return
         if os.path.lexists(self.path):
             raise InvalidInput(f"{self.path}: is there already, and not the store of a sweep. Choose another folder "
-                               "with `store`, or move it away.")  # fmt: skip
+                               "with `store`, or move it away.")
         with write_whole(self.path) as draft:
             for name, content in self.layout.documents.items():
                 (draft / name).parent.mkdir(parents=True, exist_ok=True)
@@ -105,7 +105,7 @@ class Store:
         check_folder(self.path, self.home, {CHUNKS})
         if not os.path.lexists(self.home / PLAN):
             raise FormatError(f"{self.path}: is damaged: {HOME}/{PLAN} is gone. Put it back, or choose another folder "
-                              "with `store`.")  # fmt: skip
+                              "with `store`.")
 
     def _check_same(self) -> None:
         try:
@@ -122,16 +122,16 @@ class Store:
         if plan["fingerprint"] != wanted["fingerprint"]:
             raise InvalidInput(f"{self.path}: holds another sweep: {_name_changes(plan['made_from'], wanted)} changed "
                                "since, and samples of both would be mixed. Put it back, choose another folder with "
-                               "`store`, or remove this one.")  # fmt: skip
+                               "`store`, or remove this one.")
         if plan["chunk"] != wanted["chunk"]:
             got = shown(plan["chunk"])
             raise InvalidInput(f"{self.path}: was begun with chunks of {got} samples, not {wanted['chunk']}. Set "
-                               "sweep.chunk to that, or choose another folder with `store`.")  # fmt: skip
+                               "sweep.chunk to that, or choose another folder with `store`.")
         if plan != wanted:
             key = next(key for key in wanted if plan[key] != wanted[key])
             raise FormatError(f"{self.path}: is damaged: {HOME}/{PLAN} says {key} = {shown(plan[key])}, and this "
                               f"sweep has {wanted[key]}. Choose another folder with `store`, or remove this "
-                              "one.")  # fmt: skip
+                              "one.")
 
     @contextlib.contextmanager
     def lock(self) -> Iterator[None]:
@@ -349,7 +349,7 @@ def reword_errors(path: Path) -> Iterator[None]:
         yield
     except OSError as error:
         raise InvalidInput(f"{path}: cannot be written ({error.strerror or error}). Choose a place that you may write "
-                           "to, with `store`.") from None  # fmt: skip
+                           "to, with `store`.") from None
 
 
 def _write_through(path: Path) -> None:

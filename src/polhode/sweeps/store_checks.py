@@ -35,10 +35,10 @@ def check_folder(store: Path, folder: Path, folders: set[str]) -> None:
             fits = entry.is_dir if entry.name in folders else entry.is_file
             if not (entry.is_symlink() or entry.is_file() or entry.is_dir()):
                 raise FormatError(f"{store}: {shown(entry.name)} in {name} is neither a file nor a folder. Take it "
-                                  f"out, {ELSEWHERE}")  # fmt: skip
+                                  f"out, {ELSEWHERE}")
             if not fits(follow_symlinks=False):
                 raise FormatError(f"{store}: {name} has something in it that a sweep does not write, "
-                                  f"{shown(entry.name)}. Take it out, {ELSEWHERE}")  # fmt: skip
+                                  f"{shown(entry.name)}. Take it out, {ELSEWHERE}")
 
 
 def check_file(store: Path, name: str) -> None:

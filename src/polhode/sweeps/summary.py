@@ -54,7 +54,7 @@ class Numbers:
         mean = self.mean + apart * (other.count / count)
         squares = self.squares + other.squares + apart * apart * (self.count * (other.count / count))
         return Numbers(count, mean, squares, min(self.low, other.low), max(self.high, other.high),
-                       [*self.parts, *other.parts])  # fmt: skip
+                       [*self.parts, *other.parts])
 
     @property
     def deviation(self) -> float | None:

@@ -42,7 +42,7 @@ def checked_number(
 def checked_numbers(
     name: str, value: Real[ArrayLike, "*given"], count: int,
     above: float | None = None, least: float | None = None, unit: str = "",
-) -> Float64[Array, "*numbers"]:  # fmt: skip
+) -> Float64[Array, "*numbers"]:
     """Return finite numbers as an array: () of one for all, or (count,) of one for each.
 
     Raises:

@@ -140,7 +140,7 @@ class AbstractSystem(HashableModule):
 
     def balance_values(
         self, t: Real[ArrayLike, "..."], state: Double[Array, "..."]
-    ) -> dict[str, Float64[Array, "..."]]:  # fmt: skip
+    ) -> dict[str, Float64[Array, "..."]]:
         """Return the values of ``balances``; a system whose rates take long to trace may override it."""
         return {name: balance.value for name, balance in self.balances(t, state).items()}
 

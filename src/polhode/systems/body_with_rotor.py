@@ -89,7 +89,7 @@ def rotor_in_body(
     ([2.0, 3.0, 3.5], 5.5, [0.0, 0.0, 9.0])
 
     Source: Hughes, *Spacecraft Attitude Dynamics*, §3.4.
-    """  # fmt: skip
+    """
     axis = find_direction(rotor_axis)
     if why := rotor_misfit(body, axis, rotor_moment):
         raise InvalidInput(f"`rotor_moment` {why}")
@@ -101,7 +101,7 @@ def rotor_in_body(
     body_attitude = rotation.multiply(np.asarray(attitude, dtype=float), rotation.from_matrix(axes))
     momentum = rotor_moment * (rotor_rate + (float(along @ velocity) if free else 0.0))
     return RotorInBody(moments, axes, along, momentum, velocity, moments * velocity + momentum * along, body_attitude,
-                       float(rotor_moment), free)  # fmt: skip
+                       float(rotor_moment), free)
 
 
 @known_numbers_only

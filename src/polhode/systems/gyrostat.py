@@ -78,7 +78,7 @@ class Gyrostat(AbstractLiePoissonSystem):
     def __init__(
         self, moments: Real[ArrayLike, "3"], rotor: Real[ArrayLike, "3"], rotor_moment: float | None = None,
         free: bool = False,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.algebra, self.moments, self.rotor = SO3(), checked_moments(moments), checked_vector("rotor", rotor)
         if rotor_moment is not None:
             rotor_moment = float(checked_number("rotor_moment", rotor_moment, above=0.0, unit="kg m²"))
@@ -158,7 +158,7 @@ class TorquedGyrostat(AbstractSystem):
         return jnp.concatenate([
             rotation.quaternion_rate(attitude, velocity), jnp.cross(momentum, velocity),
             jnp.broadcast_to(self.torque, rotor.shape),
-        ], axis=-1)  # fmt: skip
+        ], axis=-1)
 
     def velocity(self, state: States) -> Float64[Array, "*batch 3"]:
         """Return Ω (…, 3) [rad/s, principal axes]."""
@@ -246,7 +246,7 @@ class TorquedGyrostat(AbstractSystem):
         angular_velocity: Real[ArrayLike, "*#batch 3"] | None = None,
         momentum: Real[ArrayLike, "*#batch 3"] | None = None,
         rates: Sequence[Real[ArrayLike, "..."] | None] | None = None,
-    ) -> Float64[Array, "... 8"]:  # fmt: skip
+    ) -> Float64[Array, "... 8"]:
         """Return packed states (…, 8), as ``RigidBody.pack`` does.
 
         Args:

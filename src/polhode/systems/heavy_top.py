@@ -70,7 +70,7 @@ class HeavyTop(AbstractLiePoissonSystem):
 
     @known_numbers_only
     def __init__(self, moments: Real[ArrayLike, "3"], mgl: float, axis: Real[ArrayLike, "3"] = (0.0, 0.0, 1.0),
-                 axes: Real[ArrayLike, "3 3"] | None = None) -> None:  # fmt: skip
+                 axes: Real[ArrayLike, "3 3"] | None = None) -> None:
         require_doubles(axis=axis, axes=axes)
         direction = as_floats(axis)
         largest = np.abs(direction).max() if direction.shape == (3,) else np.nan

@@ -56,7 +56,7 @@ class KeplerOrbit(eqx.Module):
     def __init__(
         self, mean_motion: float, eccentricity: float = 0.0, mean_anomaly: float = 0.0, inclination: float = 0.0,
         node: float = 0.0, periapsis: float = 0.0, semi_major_axis: float | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.mean_motion = checked_number("mean_motion", mean_motion, above=0.0, unit="rad/s")
         self.eccentricity = checked_number("eccentricity", eccentricity, least=0.0)
         if not float(self.eccentricity) < 1.0:
@@ -77,7 +77,7 @@ class KeplerOrbit(eqx.Module):
     def from_semi_major_axis(
         cls, semi_major_axis: float, gravitational_parameter: float, eccentricity: float = 0.0,
         mean_anomaly: float = 0.0, inclination: float = 0.0, node: float = 0.0, periapsis: float = 0.0,
-    ) -> KeplerOrbit:  # fmt: skip
+    ) -> KeplerOrbit:
         """Return the orbit with n² a³ = GM.
 
         Args:

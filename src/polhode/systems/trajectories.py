@@ -31,7 +31,7 @@ def make_trajectory(
     system: AbstractSystem, times: Float64[np.ndarray, "time"], states: Double[Array, "..."], outcome: Outcome,
     statistics: dict[str, int], received: Mapping[str, Float64[Array, "*batch time"]],
     error_estimate: Float64[Array, "*batch"] | None = None, ends: Ends | None = None, plan: MotionPlan | None = None,
-) -> Trajectory:  # fmt: skip
+) -> Trajectory:
     """Return samples (batch…, T, …) as a trajectory with the system's invariants, balances and vectors."""
     axis = jnp.ndim(states) - 1 - system.state_axes
     states = np.asarray(states)
@@ -41,7 +41,7 @@ def make_trajectory(
         warnings.warn(
             f"the energy of {type(system).__name__} is not a number along the motion, though its derivatives are: what "
             "it drifts by is not known. Check its domain, as of a logarithm of what is negative.", stacklevel=2,
-        )  # fmt: skip
+        )
     # what holds on other leaves only is NaN on this one
     invariants = {name: value for name, value in invariants.items() if not np.isnan(value).all()}
     invariants = _representable(system, states, invariants)

@@ -49,7 +49,7 @@ class Variations(AbstractSystem):
     @property
     def events(self) -> dict[str, Event]:
         return {name: lambda t, state, event=event: event(t, self.first(state))
-                for name, event in self.system.events.items()}  # fmt: skip
+                for name, event in self.system.events.items()}
 
     @property
     def jumps(self) -> Float64[Array, "jumps"]:

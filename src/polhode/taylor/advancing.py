@@ -33,7 +33,7 @@ LIMITS = AdvancingLimits()
 def begin_copies(
     machine: Machine, y: Float64[Array, "copies n"], scale: Float64[Array, "copies n"],
     samples: Float64[Array, "copies time n"], first: float, hits: int,
-) -> Copies:  # fmt: skip
+) -> Copies:
     """Return copies at a first time, which is that of the first sample, with room for so many events each."""
     copies, n = y.shape
     now, counts = np.tile([first, 0.0, 1.0], (copies, 1)), np.tile([0, 1, 0, -1], (copies, 1))
@@ -49,7 +49,7 @@ def begin_copies(
 def advance_copies(
     copies: Copies, machine: Machine, course: Course, check: Callable[[float], None], share: Callable[[float], float],
     most: int = LIMITS.max_steps,
-) -> None:  # fmt: skip
+) -> None:
     """Advance all copies that have not stopped before to the end of a course.
 
     Args:

@@ -164,7 +164,7 @@ def _all_affine(jaxpr: Any, moving: set[int]) -> bool:
         inner = next((equation.params[k] for k in INNER if k in equation.params), None)
         if inner is not None and equation.primitive.name != "scan":
             if equation.primitive.name in ("while", "cond") or not _all_affine(
-                    getattr(inner, "jaxpr", inner), set(which)):  # fmt: skip
+                    getattr(inner, "jaxpr", inner), set(which)):
                 return False
         elif not _is_affine(equation, which):
             return False

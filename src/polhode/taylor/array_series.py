@@ -71,7 +71,7 @@ def runs_of_arrays(
     system: AbstractSystem, states: Double[Array, "copies ..."], times: Float64[np.ndarray, "time"],
     precision: Precision, longest: float = math.inf, check: Callable[[float], None] = lambda share: None,
     place: Place | None = None,
-) -> tuple[Runs, Place]:  # fmt: skip
+) -> tuple[Runs, Place]:
     """Return ``Runs`` as ``run_copies`` does, one copy after the other, and the beginning of the last copy's last step.
 
     Raises:
@@ -113,7 +113,7 @@ def coefficients(
 
 def _coefficients_and_changes(
     system: AbstractSystem, state: Array, t: Float64[ArrayOrFloat, ""], unit: Float64[ArrayOrFloat, ""], order: int
-) -> tuple[Array, Array]:  # fmt: skip
+) -> tuple[Array, Array]:
     write = _write_quickly if np.size(state) < LIMITS.min_optimized_size else _write_thoroughly
     return write(system, state, t, unit, order)
 
@@ -134,7 +134,7 @@ def _write_loop(system: AbstractSystem, state: Array, t: Array, unit: Array, ord
     begun = {place: jnp.stack(series[place]) for place in recurrence.read_at_all_orders()}
     kept = {
         place: jnp.zeros((order + 1, *x.shape[1:]), x.dtype).at[: len(x)].set(x) for place, x in begun.items()
-    }  # fmt: skip
+    }
 
     def advance(k: Array, kept: dict[int, Array]) -> dict[int, Array]:
         recurrence.series = [kept.get(place, value) for place, value in enumerate(others)]
@@ -215,7 +215,7 @@ def run_arrays(
     system: AbstractSystem, state: Double[Array, "..."], times: Float64[np.ndarray, "time"], order: int, reach: float,
     longest: float = math.inf, scale: Double[Array, "..."] | float = 1.0,
     check: Callable[[float], None] = lambda share: None, place: Place | None = None,
-) -> ArrayRun:  # fmt: skip
+) -> ArrayRun:
     """Return the motion of one state at times, which need not be the ends of steps.
 
     Args:
@@ -249,7 +249,7 @@ def run_arrays(
             states[sample] = _at(series, (times[sample] - now.time) / (forth * unit))
             sample += 1
         now = now._replace(unit=unit) if sample == len(times) else Place(
-            later, _at(series, (later - now.time) / (forth * unit)), _power_of_two(h))  # fmt: skip
+            later, _at(series, (later - now.time) / (forth * unit)), _power_of_two(h))
         check(min(abs(now.time - first) / abs(last - first), 1.0))
     return ArrayRun(states, last, steps, now)
 

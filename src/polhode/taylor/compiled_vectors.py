@@ -114,7 +114,7 @@ def _gather(typing: Any, array: Any, places: Any, first: Any, base: Any) -> Any:
         for lane in range(WIDTH):
             at = builder.add(args[2], ir.Constant(ir.IntType(64), lane))
             values.append(builder.load(builder.gep(numbers, [
-                builder.add(args[3], builder.load(builder.gep(where, [at])))])))  # fmt: skip
+                builder.add(args[3], builder.load(builder.gep(where, [at])))])))
         return _join(builder, values)
 
     return KIND(array, places, types.int64, types.int64), generate

@@ -75,7 +75,7 @@ class Tape:
             return numbers
         place_of = lambda x: Expression(self, {kept[x]: 1.0}) if x in kept else x  # noqa: E731
         values = [Complex(place_of(x.real), place_of(x.imag)) if isinstance(x, complex) else place_of(x)
-                  for x in np.ravel(numbers).tolist()]  # fmt: skip
+                  for x in np.ravel(numbers).tolist()]
         if not any(isinstance(x, Expression | Complex) for x in values):
             return numbers
         result = np.empty(len(values), object)
@@ -301,7 +301,7 @@ class Expression:
             return Expression(self.tape, {})
         multiply = self.tape.multiply
         return Expression(self.tape, {k: multiply(c, factor) for k, c in self.terms.items()},
-                          multiply(self.constant, factor))  # fmt: skip
+                          multiply(self.constant, factor))
 
     def __add__(self, other: Any) -> Any:
         if isinstance(other, Complex | complex):
@@ -341,7 +341,7 @@ class Expression:
         # divided, not multiplied by the reciprocal, which would round twice
         divide = self.tape.divide
         return Expression(self.tape, {k: divide(c, divisor) for k, c in self.terms.items()},
-                          divide(self.constant, divisor))  # fmt: skip
+                          divide(self.constant, divisor))
 
     def __rtruediv__(self, other: Any) -> Expression:
         return self**-1.0 * other
@@ -397,7 +397,7 @@ class Complex:
     def __mul__(self, other: Any) -> Complex:
         other = Complex.of(other)
         return Complex(self.real * other.real - self.imag * other.imag,
-                       self.real * other.imag + self.imag * other.real)  # fmt: skip
+                       self.real * other.imag + self.imag * other.real)
 
     __rmul__ = __mul__
 

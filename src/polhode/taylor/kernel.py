@@ -207,7 +207,7 @@ def event_in(copies: Copies, lanes: Lanes, course: Course, lane: Any, h: Any) ->
             low = min(low, length)
         zero = course.forth * unit * first_zero(
             p[w], order, low / unit, length / unit, course.falling[w], lanes.work, lanes.waiting
-        )  # fmt: skip
+        )
         if abs(zero) <= abs(first):
             event, first = w, zero
     return event, first

@@ -78,7 +78,7 @@ def size_of_terms(series: Series, row: Any) -> Any:
 @called
 def function(
     operation: Any, flat: Array, z: Array, base: Any, width: Any, k: Any, out: Any, x: Any, exponent: Any
-) -> None:  # fmt: skip
+) -> None:
     """Set the k-th coefficient of a function of node x; see ``program``."""
     u, y, total = out, base + x, spread(0.0)
     if operation == 2:
@@ -151,7 +151,7 @@ def hyperbolic(z: Array, base: Any, width: Any, k: Any, out: Any, x: Any) -> Non
 @called
 def orbital(
     flat: Array, z: Array, base: Any, width: Any, k: Any, out: Any, x: Any, eccentricity: Any
-) -> None:  # fmt: skip
+) -> None:
     """Set the k-th coefficients of E, sin E and cos E at the mean anomaly x, by (1 − e cos E) Ė = Ṁ."""
     if k == 0:
         for lane in range(LANES):
@@ -369,7 +369,7 @@ def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:
 
 def sample_copy(
     series: Series, course: Course, lane: Any, t: Any, unit: Any, copy: Any, first: Any, last: Any, out: Array
-) -> None:  # fmt: skip
+) -> None:
     """Set samples (C, T, n) of a copy from a first one up to a last, by its series at t: always the same bits."""
     width, flat, order = series.whole[SLOTS], series.flat, course.order
     for s in range(first, last):

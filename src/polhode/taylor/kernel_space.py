@@ -184,7 +184,7 @@ def lanes_for(program: Program, exact: Exact, order: int, width: int, watched: i
         numbers(conserved * (n + 1)),
         numbers(watched * (order + 1)), np.zeros((watched, order + 1)), numbers(watched),
         np.zeros(order + 1), np.zeros(2 * MAX_WAITING + 8),
-    )  # fmt: skip
+    )
 
 
 def _zeros(count: int) -> Float64[np.ndarray, " many"]:

@@ -94,7 +94,7 @@ def first_zero(p: Array, order: Any, low: Any, high: Any, falling: Any, work: Ar
 @called
 def change_within(
     p: Array, order: Any, low: Any, high: Any, falling: Any, was: Any, work: Array, waiting: Array
-) -> Any:  # fmt: skip
+) -> Any:
     """Return the first sign change between low and high; NaN if none.
 
     An interval is left where the middle's value exceeds all that the others add up to, or where all values are

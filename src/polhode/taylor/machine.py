@@ -118,7 +118,7 @@ class Machine(NamedTuple):
 def build_machine(
     system: AbstractSystem, state: Array, between: Span, through: Event | None = None, extended: bool = False,
     signs: Signs | None = None,
-) -> Machine:  # fmt: skip
+) -> Machine:
     """Return the programs of a system for states like one.
 
     Args:
@@ -244,7 +244,7 @@ def _write_programs(structure: Structure, form: Form, through: Event | None) -> 
 def _make_machine(
     system: AbstractSystem, form: Form, between: Span, through: Event | None, extended: bool,
     signs: Signs | None = None, start: tuple[float, ...] | None = None,
-) -> Machine:  # fmt: skip
+) -> Machine:
     written, numbers = _of_any_numbers(_write_programs, system, form, through)
     inside = _instants(between)
     size = form.size + len(written.balances) + written.timed
@@ -264,7 +264,7 @@ def _make_machine(
         numbers = np.append(numbers, kept)
     names, integrals = _integrals(system, form)
     return Machine(form, make_program(tape, rates + watched), integrals, names, written.balances, tuple(system.events),
-                   size - 1 if written.timed else -1, branches, exact, numbers)  # fmt: skip
+                   size - 1 if written.timed else -1, branches, exact, numbers)
 
 
 def _components(size: int, form: Form, written: _Written, start: tuple[float, ...] | None) -> Float64[np.ndarray, "n"]:
@@ -359,7 +359,7 @@ def _evaluate_if_possible(closed: Any, places: dict[str, int], state: Array, num
 
 def _write_conserved(
     structure: Structure, form: Form, of_copies: frozenset[str], carries_attitude: bool
-) -> tuple[Any, dict[str, int]]:  # fmt: skip
+) -> tuple[Any, dict[str, int]]:
     """Return a jaxpr of the real numbers of state and system, and the places of conserved quantities in it.
 
     Vectors are left out, unless they hold one number for each copy (``of_copies``), and so are quantities with too many

@@ -90,7 +90,7 @@ class Program:
             (Operation.LOGARITHM, OF_ROOT), (Operation.LOGARITHM_OF_ONE_PLUS, OF_ONE_PLUS), (Operation.TANH, OF_TANH),
             (Operation.EXPONENTIAL, OF_EXPONENTIAL), (Operation.EXPONENTIAL_MINUS_ONE, OF_EXPONENTIAL),
             (Operation.SINE, OF_ANGLE), (Operation.ECCENTRIC, OF_ANGLE),
-        ):  # fmt: skip
+        ):
             bounds[kinds == operation] = kind
         bounds[(kinds == Operation.POWER) & (numbers % 1.0 != 0.0)] = OF_ROOT
         some = bounds >= 0

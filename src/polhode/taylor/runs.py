@@ -122,7 +122,7 @@ class Plan(NamedTuple):
 def _plan(
     system: AbstractSystem, state: Array, times: np.ndarray, precision: Precision, longest: float,
     through: Event | None = None, branching: bool = False,
-) -> Plan:  # fmt: skip
+) -> Plan:
     forth = 1.0 if times[-1] > times[0] else -1.0
     borders = _borders(system, times, forth)
     build = partial(build_machine, system, state, through=through, extended=precision.extended)
@@ -134,7 +134,7 @@ def _plan(
     else:
         machines = [build(between) for between in itertools.pairwise(borders)]
     return Plan(borders, machines, times, precision, longest, forth, build, changes=system.count_of_changes,
-                detected=frozenset(np.ravel(getattr(system, FURTHER, ())).tolist()))  # fmt: skip
+                detected=frozenset(np.ravel(getattr(system, FURTHER, ())).tolist()))
 
 
 def run_copies(
@@ -179,13 +179,13 @@ def run_copies(
     extra = slice(form.size, form.size + len(balances))
     ended = outcome(copies)
     return Runs(form.back(samples), samples[..., extra], *ended, form.back(y), y[:, extra].copy(),
-                copies.counts[:, STEPS], balances)  # fmt: skip
+                copies.counts[:, STEPS], balances)
 
 
 def runs_back(
     system: AbstractSystem, known: Float64[Array, "copies time some"], kicks: Float64[Array, "copies time n"],
     times: Float64[np.ndarray, "time"], precision: Precision, longest: float, scales: Float64[Array, "copies n"],
-) -> tuple[Float64[Array, "copies n"], Float64[Array, "copies"]]:  # fmt: skip
+) -> tuple[Float64[Array, "copies n"], Float64[Array, "copies"]]:
     """Return the ends of motions that go back through times at which their first components are given.
 
     At each of the times these are set to the given values, and the kicks are added to all.
@@ -221,7 +221,7 @@ def runs_back(
     for k in range(len(times) - 2, -1, -1):
         end = float(times[k])
         course = Course(times[:0], 0, precision.order, precision.reach, longest, plan.forth, nothing, nothing, end,
-                        machine.clock, follows, len(follows))  # fmt: skip
+                        machine.clock, follows, len(follows))
         advance_copies(copies, machine, course, give_up, lambda t: 0.0)
         off = np.abs(y[:, :some] - known[:, k]) / scales[:, :some]
         missed = np.maximum(missed, np.where(copies.status == kernel.DONE, off.max(axis=1, initial=0.0), np.inf))
@@ -304,7 +304,7 @@ def _advance_through(plan: Plan, copies: Copies, check: Callable[[float], None],
     first, last = plan.borders[0], plan.borders[-1]
     share = lambda t: (t - first) / (last - first)  # noqa: E731
     watched = Watched(falling, stops, 1 if watch is None else watch.most, _enlarge, plan.late, plan.changes,
-                      plan.machines[0].form.size)  # fmt: skip
+                      plan.machines[0].form.size)
     signs: Signs = ()
     for k, between in enumerate(itertools.pairwise(plan.borders)):
         machine = plan.machines[k] if k < len(plan.machines) else plan.build(between, signs=signs)
@@ -340,7 +340,7 @@ def _enlarge(copies: Copies) -> Copies:
 def _course(plan: Plan, end: float, copies: Copies, machine: Machine, falling: Array, stops: Array) -> Course:
     follows = _followers(machine.program, copies.scale)
     return Course(plan.times, len(plan.times), plan.precision.order, plan.precision.reach, plan.longest,
-                  plan.forth, falling, stops, end, machine.clock, follows, len(follows))  # fmt: skip
+                  plan.forth, falling, stops, end, machine.clock, follows, len(follows))
 
 
 def _followers(program: Program, scale: Float64[Array, "copies n"]) -> Integer[Array, "followers"]:

@@ -218,7 +218,7 @@ class Branches:
 
     def sides_of(
         self, y: Float64[np.ndarray, "copies n"], crossed: Array, forth: float, units: Float64[np.ndarray, "copies"],
-    ) -> list[Signs]:  # fmt: skip
+    ) -> list[Signs]:
         """Return on which side of each difference copies go on, by the rates of the sides of this program.
 
         Args:
@@ -251,7 +251,7 @@ class Branches:
 def settle(
     branches_of: Callable[[Signs], Branches], y: Float64[np.ndarray, "copies n"], signs: list[Signs], crossed: Array,
     forth: float, units: Float64[np.ndarray, "copies"],
-) -> list[Signs]:  # fmt: skip
+) -> list[Signs]:
     """Return the sides on which copies go on.
 
     Args:

@@ -185,7 +185,7 @@ class _Writer(Writer):
         whole = self.whole
         if self.lanes == WIDTH:
             ones = [(whole[whole[LEFT] + m], whole[whole[RIGHT] + m], whole[whole[OUT] + q] + p)
-                    for q in blocks for p, m in enumerate(self._members(q))]  # fmt: skip
+                    for q in blocks for p, m in enumerate(self._members(q))]
             if k is None:
                 for left, right, out in ones:
                     self.store(self.builder.fmul(self._z(now, left), self._z(now, right)), now, out * WIDTH)

@@ -62,7 +62,7 @@ def advance_past_branches(
     copies: Copies, machine: Machine, build: Callable[..., Machine],
     course_of: Callable[[Copies, Machine, Array, Array], Course], check: Callable[[float], None],
     share: Callable[[float], float], watched: Watched,
-) -> tuple[Copies, Signs]:  # fmt: skip
+) -> tuple[Copies, Signs]:
     """Advance copies to the end of a course, as ``advance_copies`` does.
 
     Args:
@@ -99,7 +99,7 @@ class _Run:
     """A run of copies, each with the sides on which it is."""
 
     def __init__(self, copies: Copies, machine: Machine, build: Callable[..., Machine],
-                 course_of: Callable[[Copies, Machine, Array, Array], Course], watched: Watched) -> None:  # fmt: skip
+                 course_of: Callable[[Copies, Machine, Array, Array], Course], watched: Watched) -> None:
         count = len(copies.status)
         self.copies, self.course_of, self.watched, self.reason = copies, course_of, watched, ""
         self.machine_of = cache(lambda each: build(signs=each))  # called often, and hashing a system takes long
@@ -115,7 +115,7 @@ class _Run:
     def go_on(
         self, each: Signs, together: Integer[np.ndarray, "some"], check: Callable[[float], None],
         share: Callable[[float], float],
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Move copies on equal sides to where they leave these, or to their end."""
         machine, status = self.machine_of(each), self.copies.status
         branches, own = _branches(machine), len(self.watched.falling)
@@ -124,7 +124,7 @@ class _Run:
         status[together] = kernel.RUNNING
         borders = np.ones(len(branches.watched), bool)
         course = self.course_of(self.copies, machine, np.append(self.watched.falling, borders),
-                                np.append(self.watched.stops, borders))  # fmt: skip
+                                np.append(self.watched.stops, borders))
 
         def check_borders(part: float) -> None:
             check(part)
@@ -168,7 +168,7 @@ class _Run:
         branches_of = lambda each: _branches(self.machine_of(each))  # noqa: E731
         try:
             signs = settle(branches_of, np.asarray(self.copies.y)[some], [self.signs[k] for k in some], crossed[some],
-                           self.forth, np.asarray(self.copies.now)[some, UNIT]) if some.size else []  # fmt: skip
+                           self.forth, np.asarray(self.copies.now)[some, UNIT]) if some.size else []
         except Untraceable as error:
             if some.size == 1:
                 self._strand(some, str(error))

@@ -131,7 +131,7 @@ def _by_exact_numbers(equation: Any, arguments: list[Array], tape: Tape) -> list
     expressions = [_each(tape.constant, a) if np.issubdtype(a.dtype, np.inexact) else a for a in arguments]
     results = [np.asarray(a) for a in RULES[name](expressions, equation.params, equation)]
     return [_each(lambda x: x.constant if isinstance(x, Expression) else x, a).astype(v.aval.dtype)
-            for a, v in zip(results, equation.outvars, strict=True)]  # fmt: skip
+            for a, v in zip(results, equation.outvars, strict=True)]
 
 
 def _array(x: Any) -> Array:

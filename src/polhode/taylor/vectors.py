@@ -31,7 +31,7 @@ def run_code(
     address: int, flat: Float64[np.ndarray, " many"], a: Float64[np.ndarray, " factors"],
     b: Float64[np.ndarray, " factors"], number: Float64[np.ndarray, " numbers"], order: int,
     units: Float64[np.ndarray, " lanes"],
-) -> None:  # fmt: skip
+) -> None:
     """Run the code of ``straight_line`` at an address."""
     _code(address)(flat.ctypes.data, a.ctypes.data, b.ctypes.data, number.ctypes.data, order, units.ctypes.data)
 

@@ -149,7 +149,7 @@ def _check_json(kind: AbstractKind, report: SystemReport) -> None:
         # a unit of a table is that of each of its rows
         rows = branch if isinstance(branch, list) else [branch, *branch.values()]
         _require(any(isinstance(row, dict) and last in row for row in rows),
-                 f"units are of answers; there is none called {name}")  # fmt: skip
+                 f"units are of answers; there is none called {name}")
 
 
 def _check_answers_without_motion(kind: AbstractKind, spec: Spec, report: SystemReport) -> None:
@@ -211,7 +211,7 @@ def _check_digits(report: MotionReport) -> None:
         return
     said = any("without an error estimate" in note for note in report.notes)
     _require(trajectory.error_estimate is not None or said,
-             "a motion by steps has an error estimate, or a note says \"without an error estimate\"")  # fmt: skip
+             "a motion by steps has an error estimate, or a note says \"without an error estimate\"")
     plainly = replace(report, trajectory=replace(trajectory, error_estimate=None))
     bent = replace(plainly, trajectory=_bend(plainly.trajectory))
     known = {answer.name: plain(answer.value) for answer in _answers(plainly)}
@@ -220,7 +220,7 @@ def _check_digits(report: MotionReport) -> None:
         if shown_digits and known.get(answer.name) != plain(answer.value):
             _require(round_words(answer.words or "", None) == answer.words,
                      "an answer that changes with the motion has the motion's error, by `from_motion`; "
-                     f"{answer.name} has not")  # fmt: skip
+                     f"{answer.name} has not")
     numbers = set(re.findall(r"[\d.e]*\d", bent.summary)) - set(re.findall(r"[\d.e]*\d", plainly.summary))
     finer = [number for number in numbers if round_words(number, None) != number]
     _require(not finer, f"a summary has no digits beyond the motion's error, by `rounded`; it has {finer}")

@@ -77,7 +77,7 @@ def _check_conserved(motion: AbstractMotion, times: Array) -> None:
     names = set(trajectory.invariants), set(trajectory.drift)
     if not set(motion.quantities) == names[0] == names[1]:
         raise LawBroken(f"`quantities` names what `conserved_along` returns; it has {shown(list(motion.quantities))}, "
-                        f"and that {shown(list(trajectory.invariants))}.")  # fmt: skip
+                        f"and that {shown(list(trajectory.invariants))}.")
     for name, drift in trajectory.drift.items():
         if not np.max(drift) <= LIMITS.rounding:
             raise LawBroken(f"{name} is conserved; it drifts by {float(np.max(drift)):.3g}, relative.")

@@ -81,7 +81,7 @@ def make_page(
     trajectory: Trajectory, *, name: str | None, summary: str, surface: Surface | None,
     notes: Sequence[str], content: Callable[[Trajectory, Samples, Surface | None], PageContent | None],
     scatters: Sequence[dict[str, Any]] = (),
-) -> Page:  # fmt: skip
+) -> Page:
     """Return the content of a page of one motion.
 
     Args:
@@ -197,7 +197,7 @@ def _plots(trajectory: Trajectory, samples: Samples) -> list[dict[str, Any]]:
         {"title": name.replace("_", " "), "unit": unit_in_words(part.unit),
          "series": [{"name": name, "values": pack(layout.part(samples.states, name), "f4")}]}
         for name, part in layout.scalars.items()
-    ]  # fmt: skip
+    ]
 
 
 def _fill_template(title: str, data: dict[str, Any], scripts: tuple[str, ...]) -> str:

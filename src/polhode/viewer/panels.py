@@ -200,7 +200,7 @@ def _reach(surface: Surface) -> float:
 def top_panels(
     source: Any, samples: Samples, moments: Float64[Array, "3"] | None, surface: Surface | None,
     frame: BodyFrame | None = None,
-) -> list[Panel]:  # fmt: skip
+) -> list[Panel]:
     """Return a body about a fixed point, and the path of its axis; none without attitudes."""
     if samples.attitude is None:
         return []

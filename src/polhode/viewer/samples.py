@@ -94,7 +94,7 @@ def _evaluate(trajectory: Trajectory, motion: AbstractMotion) -> Samples:
     if turn > LIMITS.max_turn * (LIMITS.max_samples - 1):
         shown = start + (end - start) * LIMITS.max_turn * (LIMITS.max_samples - 1) / turn
         notes.append(f"Shown: the first {LIMITS.max_turn * (LIMITS.max_samples - 1) / (2 * np.pi):.0f} turns, "
-                     f"{shown - start:.4g} s of {end - start:.4g} s.")  # fmt: skip
+                     f"{shown - start:.4g} s of {end - start:.4g} s.")
     fine = np.ceil(min(turn, LIMITS.max_turn * LIMITS.max_samples) / LIMITS.fine_turn) + 1
     count = int(np.clip(fine, min(len(times), LIMITS.max_samples), LIMITS.max_samples))
     if len(times) > LIMITS.max_samples:
@@ -116,7 +116,7 @@ def _thin(trajectory: Trajectory) -> Samples:
     if not joined:
         points = "" if samples.attitude is None and samples.momentum is None else ", and samples are drawn as points"
         notes.append("From sample to sample the body turns too far for the motion between to be shown: "
-                     f"it jumps{points}.")  # fmt: skip
+                     f"it jumps{points}.")
     return replace(samples, joined=joined, notes=tuple(notes))
 
 
@@ -132,14 +132,14 @@ def _plain(trajectory: Trajectory) -> Samples:
         np.asarray(trajectory.times, dtype=float), np.asarray(trajectory.states),
         array(trajectory.attitude), array(trajectory.momentum), array(trajectory.angular_velocity),
         None if name is None else array(values[name]), (name or "energy").replace("_", " "), unit,
-    )  # fmt: skip
+    )
     return _take(samples, slice(None, None, -1)) if samples.times[-1] < samples.times[0] else samples
 
 
 def _take(samples: Samples, rows: slice) -> Samples:
     names = ("times", "states", "attitude", "momentum", "angular_velocity", "energy")
     return replace(samples, **{name: None if getattr(samples, name) is None else getattr(samples, name)[rows]
-                             for name in names})  # fmt: skip
+                             for name in names})
 
 
 def _largest_turn(layout: StateLayout, samples: Samples) -> float:

@@ -149,7 +149,7 @@ def _differential(function: Elementwise) -> Elementwise:
 
     again = partial(differences, function) if function.order == 1 else None
     return Elementwise(function.name, both, function.inputs, (*function.outputs, columns), again, function.positive,
-                       function.order + 1, on_host=function.on_host)  # fmt: skip
+                       function.order + 1, on_host=function.on_host)
 
 
 @cache
@@ -207,7 +207,7 @@ def _lower(in_line: Any, is_cpu: bool, ctx: Any, *operands: Any, function: Eleme
     outputs, _, _ = mlir.emit_python_callback(
         ctx.replace(avals_out=words), partial(_words_on_host, function), None, list(operands), ctx.avals_in, words,
         has_side_effect=False, returns_token=False,
-    )  # fmt: skip
+    )
     joined = mlir.lower_fun(
         lambda *parts: [
             jax.lax.bitcast_convert_type(x, aval.dtype) for x, aval in zip(parts, ctx.avals_out, strict=True)

@@ -64,7 +64,7 @@ def arrays_for_few_calls(function: Function) -> Function:
 
 def _computed_by_numpy(
     function: Function, convert: Callable[[Any], Any], of_compiled: Callable[[Any], Any]
-) -> Function:  # fmt: skip
+) -> Function:
     import jax
 
     compiled = compiled_quickly(function)

@@ -88,7 +88,7 @@ def _dynamic(shape: Sequence[int], starts: Sequence[Array], sizes: Sequence[int]
 
 def _place(
     shape: Sequence[int], starts: Array, named: Axes, sizes: Sequence[int], left_out: Axes, between: tuple[Axes, Axes]
-) -> _Windows:  # fmt: skip
+) -> _Windows:
     """Return windows of some sizes; ``named`` are the axes of the array that starts (batch…, axis) are along.
 
     Axes of the array that belong to axes of the batch are named by ``between``; both they and those that are left out

@@ -55,7 +55,7 @@ def refuse_beyond(what: str, closed: Any) -> None:
 def _numbers(pairs: Any) -> Known:
     """Return the values of variables that can be followed."""
     return {variable: np.asarray(value) for variable, value in pairs
-            if value is not None and not is_traced(value) and _can_be_followed(variable.aval)}  # fmt: skip
+            if value is not None and not is_traced(value) and _can_be_followed(variable.aval)}
 
 
 def _find(jaxpr: Any, known: Known, left: list[int] | None = None) -> Iterator[Beyond]:
@@ -138,7 +138,7 @@ def _inner(equation: Any, values: list[Any]) -> list[tuple[Any, list[Any]]]:
         test, step = parameters["cond_nconsts"], parameters["body_nconsts"]
         bodies = (("cond_jaxpr", values[:test]), ("body_jaxpr", values[test : test + step]))
         return [(parameters[key], [*fixed, *[None] * (len(parameters[key].jaxpr.invars) - len(fixed))])
-                for key, fixed in bodies]  # fmt: skip
+                for key, fixed in bodies]
     for key in INNER:
         body = parameters.get(key)
         if body is not None:

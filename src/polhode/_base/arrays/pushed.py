@@ -86,7 +86,7 @@ def _transpose(weights: Any, *args: Any, function: Elementwise, compiled: bool, 
     flat = [jnp.reshape(ad.instantiate_zeros(x), (*batch, -1)) for x in weights]
     cotangents = _make_back(function, compiled)(*primals, jnp.concatenate(flat, axis=-1))
     summed = [_sum_shared(cotangents[k], way.aval.shape) if ad.is_undefined_primal(way) else None
-             for k, way in zip(which, ways, strict=True)]  # fmt: skip
+             for k, way in zip(which, ways, strict=True)]
     return [None] * len(primals) + summed
 
 

@@ -39,7 +39,7 @@ def _mark(function: Function, mark: str) -> Function:
 def copy_modules(
     modules: Iterable[ModuleType], make: Callable[[FunctionType, str], Any], replaced: Mapping[str, Any] = NOTHING,
     joined: bool = False,
-) -> dict[str, Space]:  # fmt: skip
+) -> dict[str, Space]:
     """Return the names of copies of modules, by the names of the modules.
 
     Args:

@@ -52,7 +52,7 @@ class KernelModules:
     def __init__(
         self, name: str, what: str, modules: Sequence[ModuleType], numba: Callable[[], Mapping[str, Any]],
         from_modules: Sequence[str], joined: bool = False,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.what, self.modules, self.joined = what, modules, joined
         self._name, self._numba, self._from = name, numba, from_modules
 

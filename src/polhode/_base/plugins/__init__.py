@@ -64,7 +64,7 @@ def find_entry_points(group: str, own: Collection[str]) -> dict[str, Any]:
     found = {point.name: point for point in entry_points(group=group)}
     for name in sorted(found.keys() & set(own)):
         warnings.warn(f"{_plugin(found.pop(name))}, is ignored, as polhode has one of this name itself. Rename or "
-                      "remove it.", stacklevel=2)  # fmt: skip
+                      "remove it.", stacklevel=2)
     return found
 
 
@@ -123,7 +123,7 @@ def digest_plugins(plugins: Iterable[Plugin]) -> dict[Plugin, str]:
         found[plugin] = _digest(points[0]) if points else ""
         if _loaded.get(plugin, found[plugin]) != found[plugin]:
             raise InvalidInput(f"{plugin}, changed after this process had imported it. Put it back, or begin again in "
-                               "a new process.")  # fmt: skip
+                               "a new process.")
     return found
 
 

@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 
 INSTALLED = ("site-packages", "dist-packages")  # folders of packages whose code nobody edits in place
 _IMPORT = re.compile(r"^[ \t]*(?:.*;[ \t]*)?(?:from[ \t]+([\w.]+)[ \t]+import[ \t]*(\([^)]*\)|[^#;\n]*)"
-                     r"|import[ \t]+([^#;\n]+))", re.MULTILINE)  # fmt: skip
+                     r"|import[ \t]+([^#;\n]+))", re.MULTILINE)
 _BY_CALL = re.compile(r"\b(?:import_module|__import__|find_spec)\(\s*[\"']([\w.]+)[\"']")
 _NAME = re.compile(r"[\w.]+")
 

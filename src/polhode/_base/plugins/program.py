@@ -40,7 +40,7 @@ def program_digest(plugins: Iterable[Plugin] = ()) -> str:
 def program_parts(plugins: Iterable[Plugin] = ()) -> dict[str, str]:
     """Return the digests of the parts of a program, by what they are in words; arguments as ``program_digest`` has."""
     others = {f"the {plugin.word} {plugin.name} of another package ({plugin.value})": digest
-              for plugin, digest in digest_plugins(plugins).items()}  # fmt: skip
+              for plugin, digest in digest_plugins(plugins).items()}
     return {OURS: _own_digest()} | others
 
 

@@ -49,7 +49,7 @@ def null_space(rows: Sequence[Sequence[Fraction]], columns: int) -> Rows:
 
 def solve_near(rows: Sequence[Sequence[Fraction]], right: Sequence[Fraction], near: Sequence[Fraction]) -> (
     list[Fraction] | None
-):  # fmt: skip
+):
     """Return the x with rows · x = right whose free components are those of ``near``; None if there is no solution."""
     columns = len(near)
     outside = [b for row, b in zip(rows, right, strict=True) if not any(row)]
@@ -93,7 +93,7 @@ def multiply(a: Sequence[Sequence[Fraction]], b: Sequence[Sequence[Fraction]]) -
     """Return a b."""
     columns = transpose(b)
     return [[sum((x * y for x, y in zip(row, column, strict=True) if x and y), Fraction(0)) for column in columns]
-            for row in a]  # fmt: skip
+            for row in a]
 
 
 def combine(*terms: tuple[Fraction | int, Sequence[Sequence[Fraction]]]) -> Rows:

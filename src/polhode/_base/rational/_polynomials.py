@@ -136,7 +136,7 @@ class RationalPolynomial:
         rows = []
         for i in range(self.size):
             pairs = (tuple(map(sum, zip(_unit(self.size, i), _unit(self.size, j), strict=True)))
-                     for j in range(self.size))  # fmt: skip
+                     for j in range(self.size))
             rows.append([self.terms.get(m, Fraction(0)) / (1 if i == j else 2) for j, m in enumerate(pairs)])
         return rows
 

@@ -99,7 +99,7 @@ def largest_real_part(p: Sequence[Fraction]) -> float:
         return 0.0
     # Lagrange and Fujiwara: every root is at most twice the largest of these
     sizes = [math.log2(float(abs(c / p[0]))) / k if 1e-300 < abs(c / p[0]) < 1e300 else _log2(abs(c / p[0])) / k
-             for k, c in enumerate(p) if k and c]  # fmt: skip
+             for k, c in enumerate(p) if k and c]
     high = Fraction(2) ** (math.ceil(max(sizes)) + 1)
     while not has_root_to_the_right(shift_origin(p, high / 2)):
         high /= 2

@@ -61,11 +61,11 @@ def read_number(value: Any, read_as: str = EXACT, name: str = "number") -> Fract
     if np.ndim(value) == 0 and hasattr(value, "dtype"):
         if np.issubdtype(value.dtype, np.floating) and value.dtype != np.float64:
             raise InvalidInput(f"`{name}` must be in double precision; got {shown(value)} of {value.dtype}. "
-                               "Convert it.")  # fmt: skip
+                               "Convert it.")
         value = np.asarray(value).item()
     if isinstance(value, bool) or not isinstance(value, Real):
         raise InvalidInput(f"`{name}` must be given as doubles, whole numbers, Fractions or decimals in quotes; "
-                           f"got {shown(value)}.")  # fmt: skip
+                           f"got {shown(value)}.")
     if isinstance(value, Rational):  # SymPy registers its rational numbers as such
         return Fraction(int(value.numerator), int(value.denominator))
     if hasattr(value, "_mpf_"):
@@ -108,7 +108,7 @@ def _read_text(name: str, text: str) -> Fraction:
         except ZeroDivisionError:
             pass
     raise InvalidInput(f'`{name}` must be decimals like "0.3" or a quotient like "1/3", finite and within '
-                       f"1e±{LIMITS.max_exponent}; got {shown(text)}.")  # fmt: skip
+                       f"1e±{LIMITS.max_exponent}; got {shown(text)}.")
 
 
 def _read_decimal(name: str, value: Decimal) -> Fraction:

@@ -132,7 +132,7 @@ class SpinOrbitReport(MotionReport):
             Answer("overlap_threshold", self.threshold, "", "", "as asphericity"),
             Answer("small_eccentricity_threshold", small, "", "", "as asphericity"),
             Answer("chaos_expected", self.chaos_expected, "", "chaos expected", "", chaos),
-        ])  # fmt: skip
+        ])
 
     def _resonances(self) -> Table:
         n = float(self.system.mean_motion)
@@ -161,7 +161,7 @@ class SpinOrbitReport(MotionReport):
         kept = "none" if held is None else (
             f"in {ratio(held.order)}, about {_clean_degrees(math.degrees(held.angle)):.5g}° by "
             f"±{_clean_degrees(math.degrees(held.amplitude)):.5g}° at periapsis"
-        )  # fmt: skip
+        )
         # the weighted mean of a quasi-periodic motion has many digits, that of chaos as few as the square root says
         digits, lasting = 4 if chaotic else 8, motion.lyapunov_time
         mean, mean_ratio = motion.mean_rate, motion.mean_rate / n
@@ -183,7 +183,7 @@ class SpinOrbitReport(MotionReport):
                    f"{mean:.{digits}g} rad/s = {mean_ratio:.{digits}g} n"),
             Answer("mean_spin_ratio", mean_ratio, "", "", "turns per orbit"),
             *accuracy(self.trajectory),
-        ])  # fmt: skip
+        ])
 
     @property
     def notes(self) -> list[str]:
@@ -238,7 +238,7 @@ def make_report(spec: Spec[SpinOrbitTable]) -> SpinOrbitReport:
     return SpinOrbitReport(
         spec.body, system, trajectory, _list_resonances(system, table), spin_motion(system, state),
         table.section_orbits, spec.remarks,
-    )  # fmt: skip
+    )
 
 
 def answers_without_motion(spec: Spec[SpinOrbitTable]) -> Iterator[Group | Table]:

@@ -61,7 +61,7 @@ class SpinOrbitPanel(KindPanel):
         other = simulate(system, start + np.array([offset, 0.0]), samples.times, estimate_error=False)
         apart = np.log10(np.maximum(np.abs(np.asarray(other.part("angle")) - angle), least))
         plots.insert(1, {"title": "distance to a twin that starts 10⁻⁶ rad apart", "unit": "log₁₀ rad",
-                         "series": [_series("distance", apart)]})  # fmt: skip
+                         "series": [_series("distance", apart)]})
         points = poincare_section(system, start, orbits, steps_for(system, float(rate[0]) / n))
         angles = points[:, 0] - np.pi * np.round(points[:, 0] / np.pi)
         section = {"title": "Section at periapsis", "words": ["{count} orbits: θ̇/n against θ [°]", {"count": orbits}],

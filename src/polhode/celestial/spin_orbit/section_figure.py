@@ -40,7 +40,7 @@ def draw_spin_section(report: SpinOrbitReport) -> Figure:
     if zones := _zones(report, side, low, high):
         handles, labels = [*handles, zones], [*labels, "zones of resonances"]
     figure.legend(handles, labels, loc="outside upper center", ncols=3, fontsize=style.FONT - 1, frameon=False,
-                  handlelength=1.0, markerscale=3.0, columnspacing=1.2)  # fmt: skip
+                  handlelength=1.0, markerscale=3.0, columnspacing=1.2)
     style.tidy(axes)
     return figure
 

@@ -47,7 +47,7 @@ def run_list(json: bool) -> None:
     for known in known_tumblers().values():
         moments = "moments unknown" if known.moments is None else " : ".join(known.moments)
         print(f"{known.key:<14}{known.name}: P_φ {known.precession}, P_ψ {known.rotation}, {moments}, {known.mode}\n"
-              f"{'':<14}{known.source}")  # fmt: skip
+              f"{'':<14}{known.source}")
     print(f"\nNext: {spell_command('tumble', 'apophis')}")
 
 
@@ -61,7 +61,7 @@ def run_tumble(body: str | None, options: TumbleOptions, json: bool) -> None:
         _check_choice("--axis", options.axis, AXES) or "encircled", _check_choice("--mode", options.mode, MODES),
         _friction(options), _angle("--aspect", options.aspect, "60 deg", 180.0),
         _angle("--phase", options.phase, "20 deg", 170.0),
-    )  # fmt: skip
+    )
     report = tumble_report(known, inputs)
     publish(report, json, options.out, options.figures)
 

@@ -174,7 +174,7 @@ def _check_errors(errors: ArrayLike | None) -> Float64[Array, "5"] | None:
     sizes = np.asarray(errors, dtype=np.float64)
     if sizes.shape != (5,) or not (np.isfinite(sizes) & (sizes >= 0)).all():
         raise InvalidInput("`errors` must be five standard deviations, not negative, of precession, rotation and the "
-                           f"three moments; got {shown(errors)}.")  # fmt: skip
+                           f"three moments; got {shown(errors)}.")
     return sizes if sizes.any() else None
 
 
@@ -289,7 +289,7 @@ def _why_none(precession: float, rotation: float, moments: Array, axis: Precessi
     if axis == "short":
         long += 1.0
     limits = [f"the {mode} mode needs more than {limit:.4g}" for mode, limit in zip(MODES, (short, long), strict=True)
-              if np.isfinite(limit)]  # fmt: skip
+              if np.isfinite(limit)]
     return (
         f"no motion of a body with moments {', '.join(f'{x:.4g}' for x in moments)} has these periods: the period of "
         f"rotation is {rotation / precession:.4g} times that of precession, and {'; '.join(limits)}. Check which "

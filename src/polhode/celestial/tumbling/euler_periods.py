@@ -39,7 +39,7 @@ class EulerPeriod:
 def euler_chain(
     ellipticity: float = ELLIPTICITY, mantle: float = MANTLE, elastic: float = ELASTIC, oceans: float = OCEANS,
     anelastic: float = ANELASTIC,
-) -> tuple[EulerPeriod, ...]:  # fmt: skip
+) -> tuple[EulerPeriod, ...]:
     """Return the wobble's period for a rigid Earth, then with each correction added in turn.
 
     A rigid body with (C − A)/C = H turns about its figure once in A/(C − A) = 1/H − 1 of its turns. A body whose figure
@@ -68,7 +68,7 @@ def euler_chain(
     for name, k in (("elastic", elastic), ("oceans", oceans), ("anelastic", anelastic)):
         if not 0.0 <= k < secular:
             raise InvalidInput(f"`{name}` must be a Love number from 0 to below {secular:.3f}, at which the figure "
-                               f"would follow wholly; got {shown(k)}.")  # fmt: skip
+                               f"would follow wholly; got {shown(k)}.")
     rigid = (1.0 / ellipticity - 1.0) * SIDEREAL_DAY
     yielding = lambda k: rigid / (1.0 - k / secular)  # noqa: E731
     return (

@@ -36,7 +36,7 @@ def polhode(body: str, motion: Tumbling, others: Sequence[Tumbling]) -> Figure:
     named += [(style.SKY, 0.9, f"{other.mode} mode") for other in others]
     handles = [axes.plot([], [], color=colour, lw=width, label=words)[0] for colour, width, words in named]
     axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=3, fontsize=style.FONT - 1,
-                frameon=False)  # fmt: skip
+                frameon=False)
     axes.set_title(f"{body}: angular momentum along the principal axes", fontsize=style.FONT, color=style.DARK)
     return figure
 
@@ -57,7 +57,7 @@ def light_curve(light: LightCurve) -> Figure:
     axes.set_ylabel("magnitude")
     axes.set_title(f"Ellipsoid {' : '.join(f'{x:.3g}' for x in light.semi_axes)}, phase angle "
                    f"{np.degrees(light.phase):.3g}°, L at {np.degrees(light.aspect):.3g}° from the observer",
-                   fontsize=style.FONT, color=style.DARK)  # fmt: skip
+                   fontsize=style.FONT, color=style.DARK)
     axes.margins(x=0.0)
     style.tidy(axes)
     return figure
@@ -76,7 +76,7 @@ def spectrum(light: LightCurve, motion: Tumbling) -> Figure:
         words = order_words(int(lines.precession_order[k]), int(lines.rotation_order[k]))
         axes.annotate(words.replace("P_φ", r"$P_\phi$").replace("P_ψ", r"$P_\psi$"),
                       (float(scaled[k]), 1e3 * float(lines.amplitude[k])), (0, 3), textcoords="offset points",
-                      rotation=90, fontsize=style.FONT - 1.5, ha="center", va="bottom", color=style.DARK)  # fmt: skip
+                      rotation=90, fontsize=style.FONT - 1.5, ha="center", va="bottom", color=style.DARK)
     axes.set_ylim(0.0, 1.4 * top)
     axes.set_xlim(0.0, 1.12 * float(scaled.max()))
     axes.set_xlabel(r"frequency  [$1/P_\phi$]")

@@ -44,7 +44,7 @@ def known_tumblers() -> dict[str, KnownTumbler]:
     table = tomllib.loads((Path(__file__).parent / "tumblers.toml").read_text("utf-8"))
     return {key: KnownTumbler(key, row["name"], row["precession"], row["rotation"],
                               tuple(row["moments"]) if "moments" in row else None, row["mode"], row["source"])
-            for key, row in table.items()}  # fmt: skip
+            for key, row in table.items()}
 
 
 def known_tumbler(key: str) -> KnownTumbler:
@@ -63,5 +63,5 @@ def known_tumbler(key: str) -> KnownTumbler:
         near = difflib.get_close_matches(wanted, known, 1)
         meant = f"; did you mean {near[0]}?" if near else "."
         raise InvalidInput(f"no tumbler is called {shown(key)}{meant} Known are {', '.join(known)}; of others give "
-                           "`precession`, `rotation` and `moments`.")  # fmt: skip
+                           "`precession`, `rotation` and `moments`.")
     return known[wanted]

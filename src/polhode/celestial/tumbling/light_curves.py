@@ -164,7 +164,7 @@ def light_curve_lines(
     amplitude = 2.0 * np.abs(series[up])
     best = np.argsort(-amplitude, kind="stable")[:count]
     return LightCurveLines(m[up][best].astype(np.int64), n[up][best].astype(np.int64), frequency[up][best],
-                           amplitude[best])  # fmt: skip
+                           amplitude[best])
 
 
 def _series(motion: FreeMotion, semi_axes: ArrayLike, sun: Array, observer: Array, turns: int, samples: int) -> Array:

@@ -32,7 +32,7 @@ Axis = Annotated[
     str | None,
     typer.Option("--axis", metavar="AXIS", help="Whose precession: encircled (default; long in the long-axis mode, "
                  "short in the short-axis mode), long, or short."),
-]  # fmt: skip
+]
 Mode = Annotated[
     str | None,
     typer.Option("--mode", metavar="MODE", help="short-axis or long-axis (default: the one of least energy)."),

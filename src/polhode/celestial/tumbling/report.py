@@ -66,11 +66,11 @@ class TumbleReport(StudyReport):
         notes = []
         if self.others:
             notes.append(f"the {WORDS[self.others[0].mode]} has the same periods; only a light curve or an image can "
-                         f'decide. `mode="{self.others[0].mode}"` takes the other.')  # fmt: skip
+                         f'decide. `mode="{self.others[0].mode}"` takes the other.')
         interval = self.motion.interval
         if interval is not None and interval.admissible < 0.975:
             notes.append(f"only {100 * interval.admissible:.0f} % of the periods and moments within the errors have a "
-                         "motion in this mode; the intervals are computed from these.")  # fmt: skip
+                         "motion in this mode; the intervals are computed from these.")
         if self.light is None:
             notes.append("I1 + I2 = I3: the body is flat, and there is no ellipsoid to draw a light curve of.")
         return notes
@@ -136,7 +136,7 @@ def _state(motion: Tumbling) -> Group:
         low, high = interval.low[0], interval.high[0]
         answers.append(Answer("", None, "", "95 % of the energy ratio", "", f"{low:.6g} to {high:.6g}"))
         answers.append(Answer("admissible", interval.admissible, "", "",
-                              "share of the draws within the errors that have a motion in this mode"))  # fmt: skip
+                              "share of the draws within the errors that have a motion in this mode"))
     return Group("State", answers)
 
 
@@ -153,7 +153,7 @@ def _periods(motion: Tumbling) -> Group:
     }
     return Group("Mean periods", [
         Answer(f"periods.{name}", value, "s", words, "", duration(value)) for name, (value, words) in named.items()
-    ])  # fmt: skip
+    ])
 
 
 def _body(report: TumbleReport) -> Group:
@@ -170,14 +170,14 @@ def _body(report: TumbleReport) -> Group:
         Answer("period_ratio", ratio, "", "P_ψ/P_φ", "", f"{ratio:.5g}; possible: above {', '.join(said)}"),
         Answer("least_period_ratios", {"short-axis": _or_none(short), "long-axis": _or_none(long)}),
         Answer("source", report.source or None, "", "source"),
-    ])  # fmt: skip
+    ])
 
 
 def _describe_damping(damping: Damping | None) -> list[Group]:
     if damping is None:
         return []
     assumed = (f"D = {damping.diameter:.4g} m, ρ = {damping.density:.4g} kg/m³, μQ = {damping.rigidity:.3g} Pa, "
-               f"K₃² = {damping.shape_factor:.3g}")  # fmt: skip
+               f"K₃² = {damping.shape_factor:.3g}")
     return [Group("Internal friction", [
         Answer("damping_time", damping.time, "s", "time of damping", "μQ/(ρ K₃² R² ω³), Burns & Safronov 1973",
                f"{duration(damping.time)}, within a factor of ten or so"),
@@ -189,7 +189,7 @@ def _describe_damping(damping: Damping | None) -> list[Group]:
 
 def _others(others: tuple[Tumbling, ...]) -> list[Table]:
     rows = [{"mode": other.mode, "energy_ratio": other.energy_ratio, "cone_angle": other.cone_angle,
-             "tilt": list(other.tilts), "momentum_rate": other.momentum_rate} for other in others]  # fmt: skip
+             "tilt": list(other.tilts), "momentum_rate": other.momentum_rate} for other in others]
     return [Table("others", "Other motions with these periods", {
         "mode": lambda row: WORDS[row["mode"]],
         "E/E0": lambda row: f"{row['energy_ratio']:.6g}",

@@ -41,7 +41,7 @@ def tumble(
     body: str | None = None, *, precession: Uncertain | None = None, rotation: Uncertain | None = None,
     moments: Sequence[Uncertain] | None = None, semi_axes: Sequence[float] | None = None, axis: Axis = "encircled",
     mode: Mode | None = None, friction: Friction | None = None, aspect: float = np.pi / 3, phase: float = np.pi / 9,
-) -> TumbleReport:  # fmt: skip
+) -> TumbleReport:
     """Return a report on how a body tumbles: its energy, its tilt against L, periods, light curve and damping.
 
     Quantities are in SI, with their standard deviations where these are known, (value, error), or texts like
@@ -119,14 +119,14 @@ def tumble_report(known: KnownTumbler | None, inputs: Given) -> TumbleReport:
         there, limit = motions[0].mode, least_period_ratios(moments)[MODES.index(mode)]
         raise InvalidInput(f"no motion in the {mode} mode has these periods: with these moments the rotation must take "
                            f"more than {limit:.4g} times as long as the precession. There is one in the {there} mode: "
-                           f'`mode="{there}"`.')  # fmt: skip
+                           f'`mode="{there}"`.')
     motion, friction = chosen[0], inputs.friction
     damping = None if friction is None else Damping(internal_damping_time(motion.precession, *friction), *friction)
     return TumbleReport(
         "tumbler" if known is None else known.name, "" if known is None else known.source, motion,
         tuple(other for other in motions if other is not motion), least_period_ratios(moments),
         _light(motion, inputs.aspect, inputs.phase), damping,
-    )  # fmt: skip
+    )
 
 
 def _gather_measured(known: KnownTumbler | None, inputs: Given) -> tuple[tuple[float, float], list[float], list[float]]:
@@ -144,7 +144,7 @@ def _gather_measured(known: KnownTumbler | None, inputs: Given) -> tuple[tuple[f
         whose = "" if known is None else f" of {known.name}"
         raise InvalidInput(f"{' and '.join(missing)} {'are' if len(missing) > 1 else 'is'} missing{whose}. Give for "
                            'example `precession="27.38 h"`, `rotation="263 h"` and `moments=(0.61, 0.965, 1)`, '
-                           "or name a known body.")  # fmt: skip
+                           "or name a known body.")
     (first, d_first), (second, d_second) = (
         uncertain(f"`{name}`", text, "s") for name, text in texts.items() if text is not None
     )

@@ -73,7 +73,7 @@ def clean_pole(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[Arr
     if max(np.abs(east).max(), np.abs(west).max()) > LIMITS.max_coordinate:
         raise InvalidInput(f"`x` and `y` must be in radians, {LIMITS.max_coordinate:g} at most; got "
                            f"{max(np.abs(east).max(), np.abs(west).max()):g}. Divide arcseconds by 206264.8."
-                           )  # fmt: skip
+                           )
     return Pole(t, east - 1j * west, np.ones(len(t)))
 
 
@@ -114,7 +114,7 @@ def even(pole: Pole, step: float) -> Pole:
         bad = int(np.argmax(sizes == 0))
         raise InvalidInput(f"the series must have no gap longer than the step of {step / DAY:g} d; there is no sample "
                            f"in the {step / DAY:g} d from {(pole.times[0] + bad * step) / DAY:g} d on. Choose a span "
-                           "without the gap.")  # fmt: skip
+                           "without the gap.")
     mean = lambda values: np.bincount(place, values[inside], minlength=steps) / sizes  # noqa: E731
     half = 0.5 * (step - usual)  # the time of a mean over samples at the start of each interval
     times = pole.times[0] + half + step * np.arange(steps)

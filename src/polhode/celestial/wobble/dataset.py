@@ -50,7 +50,7 @@ def write_wobble(
                    "excitation": ("excitation", excitation.times, CLOCK)}  # fmt: skip
     header = {"Conventions": "CF-1.11", "source": source, "title": "the Chandler wobble from polar motion"}
     unknown = [name for name, error in (("amplitude and phase", windows.amplitude_error),
-                                        ("wobble", process.wobble_error)) if np.isnan(error).all()]  # fmt: skip
+                                        ("wobble", process.wobble_error)) if np.isnan(error).all()]
     if unknown:
         header["misfit"] = f"what the model leaves is not noise: {' and '.join(unknown)} have no known error"
     return write_variables(path, variables, coordinates, header)

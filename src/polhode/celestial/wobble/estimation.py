@@ -141,7 +141,7 @@ def fit_chandler(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[A
     if pole.span < LIMITS.min_span:
         raise InvalidInput(f"the series must last {LIMITS.min_span / YEAR:.1f} years, twice the beat of the wobble and "
                            f"the year, to separate the two; got {pole.span / YEAR:.2f} years. Give a longer series."
-                           )  # fmt: skip
+                           )
     epoch = 0.5 * float(pole.times[0] + pole.times[-1])
     series = _Series(pole.times - epoch, pole.m, step_moments(samples, STEP, orders), pole.span)
     rate, undone = _best_rate(series)
@@ -161,7 +161,7 @@ def fit_chandler(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[A
     if estimate.value[1] < LIMITS.min_significance * estimate.standard_error[1]:
         raise InvalidInput(f"no Chandler wobble exceeds the noise: its amplitude is {estimate.value[1]:.2g} ± "
                            f"{estimate.standard_error[1]:.2g} rad. Give a longer series, or check columns and units."
-                           )  # fmt: skip
+                           )
     rms = float(np.sqrt(0.5 * np.mean(np.abs(model.left) ** 2)))
     if not noise.test.is_noise:
         estimate, terms = estimate.without_errors(), terms.without_errors()
@@ -183,9 +183,9 @@ def _best_rate(series: _Series) -> tuple[float, float]:
     if best in (0, len(grid) - 1):
         raise InvalidInput(f"no Chandler wobble with a period between {LIMITS.min_period / DAY:g} and "
                            f"{LIMITS.max_period / DAY:g} d is in the series: the fit runs to an end. Check columns "
-                           "and units, or give a longer series.")  # fmt: skip
+                           "and units, or give a longer series.")
     minimum: Any = minimize_scalar(cost, bounds=(grid[best - 1], grid[best + 1]), method="bounded",
-                            options={"xatol": 1e-7 * grid[best]})  # fmt: skip
+                            options={"xatol": 1e-7 * grid[best]})
     turn = float(minimum.x) * series.span
     x, left = take_last_steps(_RateSystem(series), np.array([turn]), np.array([-np.inf]), np.array([np.inf]))
     return float(x[0]) / series.span, float(left[0]) / series.span
@@ -243,7 +243,7 @@ def _check_sense(prograde: float, retrograde: float) -> None:
         raise InvalidInput(
             f"the wobble turns against the Earth's spin: {retrograde:.3g} rad retrograde, {prograde:.3g} rad prograde. "
             "x must be towards Greenwich and y towards 90° West, as the IERS has them. Change the sign of y, or swap x "
-            "and y if they are exchanged.")  # fmt: skip
+            "and y if they are exchanged.")
 
 
 def _errors(

@@ -47,7 +47,7 @@ class PolarExcitation:
 def polar_excitation(
     times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayLike, "n"], period: float,
     quality_factor: float, step: float = STEP, noise: float = 0.0,
-) -> PolarExcitation:  # fmt: skip
+) -> PolarExcitation:
     """Return the excitation that produces a measured polar motion.
 
     From step to step m_(n+1) = e m_n + (1 − e)ψ, e = exp(iσ_cΔ), which is exact for a ψ that is constant within the
@@ -88,4 +88,4 @@ def polar_excitation(
     # neighbours share one mean
     gain = (1.0 + abs(turn) ** 2) / abs(1.0 - turn) ** 2
     return PolarExcitation(0.5 * (pole.times[1:] + pole.times[:-1]), psi, float(noise * np.sqrt(gain)),
-                           complex(-turn / (1.0 + abs(turn) ** 2)), step)  # fmt: skip
+                           complex(-turn / (1.0 + abs(turn) ** 2)), step)

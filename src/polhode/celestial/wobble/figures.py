@@ -65,7 +65,7 @@ def over_time(windows: ChandlerWindows, process: ChandlerProcess, line: Chandler
         axes.fill_between(years, (value - error) / unit, (value + error) / unit, color=style.BLUE, alpha=0.25, lw=0)
         axes.plot(years, value / unit, color=style.BLUE, lw=1.2, label=f"windows of {windows.window / YEAR:.3g} years")
         axes.errorbar(_years(process.times), other / unit, spread / unit, fmt=".", ms=2.5, lw=0.6, color=style.ORANGE,
-                      label="Gauss–Markov process")  # fmt: skip
+                      label="Gauss–Markov process")
         style.tidy(axes)
     period, amplitude = line.estimate.value[:2]
     above.axhline(amplitude / MAS, color=style.GREY, lw=0.8, ls="--", label="one line")
@@ -95,7 +95,7 @@ def spectrum(pole_spectrum: PoleSpectrum, line: ChandlerFit) -> Figure:
     for place, name, to in ((chandler, "Chandler", "right"), (1.0, "annual", "left"), (2.0, "semiannual", "right")):
         axes.axvline(place, color=style.LIGHT, lw=0.8, zorder=0)
         axes.text(place + (0.02 if to == "left" else -0.02), 2.0 * top, name, fontsize=style.FONT - 1, ha=to,
-                  color=style.GREY)  # fmt: skip
+                  color=style.GREY)
     axes.set_xlim(0.0, highest)
     axes.set_ylim(None, 6.0 * top)
     axes.set_xlabel("frequency  [cycles a year]")

@@ -131,7 +131,7 @@ def fit_chandler_process(
     cost = lambda p: _filter(p, band).cost  # noqa: E731
     starts = [np.array([line.estimate.value[0] / UNIT, np.log(q), r]) for q, r in ((50.0, 0.0), (300.0, 2.0))]
     best = min((minimize(cost, start, method="Nelder-Mead", bounds=BOUNDS, options={"xatol": 1e-5, "fatol": 1e-7})
-                for start in starts), key=lambda minimum: minimum.fun)  # fmt: skip
+                for start in starts), key=lambda minimum: minimum.fun)
     intervals = [_intervals(cost, best.x, float(best.fun), k) for k in (0, 1)]
     filtered = _filter(best.x, band)
     quality = float(np.exp(best.x[1]))
@@ -149,7 +149,7 @@ def fit_chandler_process(
         float(filtered.scale * band.step / (rate * band.step) ** 2),
         float(np.sqrt(filtered.scale * np.exp(best.x[2]))), band.step, middles,
         wobble * np.exp(1j * band.rate * (middles - line.epoch)), error, _whiteness(filtered.innovations),
-    )  # fmt: skip
+    )
     return process if process.is_noise else _without_errors(process)
 
 
@@ -157,7 +157,7 @@ def _without_errors(process: ChandlerProcess) -> ChandlerProcess:
     """Return the process without errors and intervals."""
     unknown = dict.fromkeys(LEVELS, (float("nan"), float("nan")))
     return replace(process, estimate=process.estimate.without_errors(), period_intervals=unknown,
-                   quality_intervals=unknown, wobble_error=np.full_like(process.wobble_error, np.nan))  # fmt: skip
+                   quality_intervals=unknown, wobble_error=np.full_like(process.wobble_error, np.nan))
 
 
 def _take_band(line: ChandlerFit) -> tuple[_Band, Float64[Array, "n"]]:
@@ -231,7 +231,7 @@ def _intervals(
             return cost(p)
 
         minimum = minimize(along, best[others], method="Nelder-Mead", bounds=limits,
-                         options={"xatol": 1e-3, "fatol": 1e-3, "maxfev": 80})  # fmt: skip
+                         options={"xatol": 1e-3, "fatol": 1e-3, "maxfev": 80})
         return float(minimum.fun) - least
 
     reach = (0.004, 0.3)[k]

@@ -65,7 +65,7 @@ class WobbleReport(StudyReport):
         said = (f"The Chandler wobble: {uncertain(period / DAY, errors[0] / DAY, 'd')}, "
                 f"{uncertain(amplitude / MAS, errors[1] / MAS, 'mas')} on the mean, "
                 f"Q = {_quality_in_words(self, 0.6827)}; a rigid Earth would take "
-                f"{self.chain[0].period / DAY:.1f} d.")  # fmt: skip
+                f"{self.chain[0].period / DAY:.1f} d.")
         return f"{said} {self._misfit}".rstrip()
 
     @property
@@ -77,9 +77,9 @@ class WobbleReport(StudyReport):
         """A sentence that something else moves the pole than line or process; empty where the residuals are noise."""
         line, process = self.line.noise.test, self.process
         of_line = (f"what the line leaves next to it is not noise (noise has such frequencies with a probability of "
-                   f"{line.probability:.1g})")  # fmt: skip
+                   f"{line.probability:.1g})")
         of_process = ("what the process does not foresee is not noise (white noise is so correlated with a probability "
-                      f"of {process.whiteness:.1g}, by Ljung and Box)")  # fmt: skip
+                      f"of {process.whiteness:.1g}, by Ljung and Box)")
         left = [of_line] * (not line.is_noise) + [of_process] * (not process.is_noise)
         if not left:
             return ""
@@ -98,13 +98,13 @@ class WobbleReport(StudyReport):
             notes.append(f"{series.predicted} lines are predictions and were left out.")
         if line.energy_ratio > LIMITS.max_retrograde_energy:
             notes.append(f"the retrograde Chandler energy is {100.0 * line.energy_ratio:.2g} % of the prograde one; "
-                         "the Earth's is below 1 %. Check signs and units of x and y.")  # fmt: skip
+                         "the Earth's is below 1 %. Check signs and units of x and y.")
         amplitudes = self.windows.amplitude
         if amplitudes.max() > 2.0 * amplitudes.min():
             low, high = amplitudes.min() / MAS, amplitudes.max() / MAS
             notes.append(f"the amplitude changed from {low:.0f} to {high:.0f} mas: "
                          "that of the single line is the mean of a wobble that changes, not what it is at any time."
-                         )  # fmt: skip
+                         )
         apart = abs(line.estimate.value[0] - process.estimate.value[0])
         error = math.hypot(line.estimate.standard_error[0], process.estimate.standard_error[0])
         if apart > LIMITS.max_disagreement * error:
@@ -169,7 +169,7 @@ def _line(report: WobbleReport) -> Group:
                f"{fit.rms / MAS:.3g} mas rms"),
         Answer("residual_probability", fit.noise.test.probability, "", "",
                "of a band of frequencies next to the line as strong as the strongest, were it noise"),
-    ])  # fmt: skip
+    ])
 
 
 def _process(report: WobbleReport) -> Group:
@@ -191,7 +191,7 @@ def _process(report: WobbleReport) -> Group:
                None if span is None else f"{span[0]:.1f} to {span[1]:.1f} d"),
         Answer("damping_time", quality * period / math.pi, "s", "dies away to 1/e in"),
         Answer("whiteness", process.whiteness, "", "", "probability of innovations so correlated, were they white"),
-    ])  # fmt: skip
+    ])
 
 
 def _terms(report: WobbleReport) -> Table:
@@ -200,13 +200,13 @@ def _terms(report: WobbleReport) -> Table:
     for name, rate in fit.rates.items():
         size, error = fit.amplitude(name)
         rows.append({"term": name, "period_days": 2.0 * math.pi / abs(rate) / DAY, "amplitude_mas": size / MAS,
-                     "amplitude_mas_error": error / MAS, "phase": float(np.angle(fit.term(name)))})  # fmt: skip
+                     "amplitude_mas_error": error / MAS, "phase": float(np.angle(fit.term(name)))})
     return Table("terms", "Terms of the fit", {
         "term": lambda row: row["term"].replace("_", " "),
         "period": lambda row: f"{row['period_days']:.2f} d",
         "amplitude": lambda row: uncertain(row["amplitude_mas"], row["amplitude_mas_error"], "mas"),
     }, rows, {"period_days": "d", "amplitude_mas": "mas", "amplitude_mas_error": "mas", "phase": "rad"},
-        "term")  # fmt: skip
+        "term")
 
 
 def _windows(windows: ChandlerWindows) -> Table:
@@ -215,7 +215,7 @@ def _windows(windows: ChandlerWindows) -> Table:
          "phase_error": q}
         for centre, a, b, p, q in zip(windows.centres, windows.amplitude, windows.amplitude_error, windows.phase,
                                       windows.phase_error, strict=True)
-    ]  # fmt: skip
+    ]
     every = max(1, round(ROWS / (windows.centres[1] - windows.centres[0]))) if len(rows) > 1 else 1
     shown = {row["centre"] for row in rows[::every]}
     return Table("windows", f"Windows of {windows.window / YEAR:.3g} years", {
@@ -223,7 +223,7 @@ def _windows(windows: ChandlerWindows) -> Table:
         "amplitude": lambda row: uncertain(row["amplitude_mas"], row["amplitude_mas_error"], "mas"),
         "phase": lambda row: uncertain(math.degrees(row["phase"]), math.degrees(row["phase_error"]), "°"),
     }, rows, {"amplitude_mas": "mas", "amplitude_mas_error": "mas", "phase": "rad", "phase_error": "rad"},
-        shown=lambda row: row["centre"] in shown)  # fmt: skip
+        shown=lambda row: row["centre"] in shown)
 
 
 def _excitation(report: WobbleReport) -> Group:
@@ -235,7 +235,7 @@ def _excitation(report: WobbleReport) -> Group:
                f"{rms:.3g} mas rms, means over {excitation.step / DAY:g} d"),
         Answer("excitation.density", density, "mas²/(1/a)", "density at the wobble's rate",
                "two-sided, that keeps the wobble going", f"{density:.3g} mas² per cycle a year"),
-    ])  # fmt: skip
+    ])
 
 
 def _chain(report: WobbleReport) -> Table:
@@ -246,7 +246,7 @@ def _chain(report: WobbleReport) -> Table:
         "Earth": lambda row: row["stage"].replace("_", " "),
         "period": lambda row: f"{row['period_days']:.1f} d",
         "cause": lambda row: row["cause"],
-    }, rows, {"period_days": "d"})  # fmt: skip
+    }, rows, {"period_days": "d"})
 
 
 def _data(report: WobbleReport) -> Group:
@@ -257,4 +257,4 @@ def _data(report: WobbleReport) -> Group:
         Answer("form", report.series.form, "", "form"),
         Answer("span", span, "", "days", "", f"{span[0]} to {span[1]}, {len(days)} of them"),
         Answer("samples", len(days)),
-    ])  # fmt: skip
+    ])

@@ -26,7 +26,7 @@ ARCSECOND = math.pi / 648_000.0
 DEFAULT = "eopc04.1962-now"
 _FINALS = re.compile(r"[ \d]{2}[ \d]{2}[ \d]{2} \d{5}\.\d\d ")
 _REMEDY = ("Give a C04 file (year, month, day, with or without hour, MJD, x, y, …) or finals2000A.all, as the IERS "
-           "publishes them")  # fmt: skip
+           "publishes them")
 
 
 class FileLimits(NamedTuple):
@@ -136,7 +136,7 @@ def _c04_rows(path: Path, lines: list[str], first: str) -> tuple[str, list[tuple
         words = line.split()
         if len(words) < form.fewest:
             raise FormatError(f"{path}, line {count}: has {len(words)} columns; {form.name} has at least "
-                              f"{form.fewest}, up to the errors of x and y. {_REMEDY}.")  # fmt: skip
+                              f"{form.fewest}, up to the errors of x and y. {_REMEDY}.")
         places = (form.mjd, form.x, form.x + 1, form.x_error, form.x_error + 1)
         row = tuple(_number(path, count, place + 1, words[place]) for place in places)
         rows.append(_check_row(path, count, row, rows[-1][0] if rows else None))
@@ -151,7 +151,7 @@ def _c04_form(path: Path, line: int, words: list[str]) -> _Form:
         except ValueError:
             continue
     raise FormatError(f"{path}, line {line}: is no line of polar motion: no modified Julian date is in column "
-                      f"4 or 5. {_REMEDY}.")  # fmt: skip
+                      f"4 or 5. {_REMEDY}.")
 
 
 def _finals_rows(path: Path, lines: list[str]) -> tuple[list[tuple[float, ...]], int]:
@@ -166,7 +166,7 @@ def _finals_rows(path: Path, lines: list[str]) -> tuple[list[tuple[float, ...]],
         flag = line[16:17]
         if flag not in ("I", "P"):
             raise FormatError(f"{path}, line {count}, column 17: must be I (measured) or P (predicted); got "
-                              f"{shown(flag)}. {_REMEDY}.")  # fmt: skip
+                              f"{shown(flag)}. {_REMEDY}.")
         if flag == "P":
             predicted += 1
             continue
@@ -193,10 +193,10 @@ def _check_row(path: Path, line: int, row: tuple[float, ...], before: float | No
         raise FormatError(f"{where}: MJD {day:g} comes after {before:g}; dates must ascend. Sort the lines.")
     if max(abs(x), abs(y)) > LIMITS.max_distance:
         raise FormatError(f"{where}: the pole is at ({x:g}, {y:g}) arcseconds; it stays within "
-                          f"{LIMITS.max_distance:g}. Correct the line, or give arcseconds.")  # fmt: skip
+                          f"{LIMITS.max_distance:g}. Correct the line, or give arcseconds.")
     if x_error < 0.0 or y_error < 0.0:
         raise FormatError(f"{where}: errors of x and y must not be negative; got {x_error:g} and {y_error:g}. "
-                          "Correct the line.")  # fmt: skip
+                          "Correct the line.")
     return row
 
 

@@ -23,7 +23,7 @@ from polhode.reports.report import with_inputs
 def wobble(
     series: PoleSeries | Path | str | None = None, *, start: str | None = None, end: str | None = None,
     window: float = 6.0,
-) -> WobbleReport:  # fmt: skip
+) -> WobbleReport:
     """Return a report on the Earth's wobble: the Chandler period, amplitude and Q with errors, and the seasons.
 
     Args:
@@ -65,7 +65,7 @@ def wobble_report(
     if not line.noise.test.is_noise:  # the windows' errors are of the same model
         windows = replace(windows, covariance=np.full_like(windows.covariance, np.nan))
     return WobbleReport(used, line, process, windows, polar_excitation(*pole, period, quality), pole_spectrum(*pole),
-                  euler_chain())  # fmt: skip
+                  euler_chain())
 
 
 def _cut_between(series: PoleSeries, start: float | None, end: float | None) -> PoleSeries:
@@ -73,6 +73,6 @@ def _cut_between(series: PoleSeries, start: float | None, end: float | None) -> 
     if not inside.any():
         first, last = (format_day(float(series.days[k])) for k in (0, -1))
         raise InvalidInput(f"{series.source} has no data between `start` and `end`: its days go from {first} "
-                           f"to {last}. Choose among these.")  # fmt: skip
+                           f"to {last}. Choose among these.")
     names = ("days", "x", "y", "x_error", "y_error")
     return replace(series, **{name: getattr(series, name)[inside] for name in names})

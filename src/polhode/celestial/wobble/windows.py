@@ -91,7 +91,7 @@ class PoleSpectrum:
 def fit_chandler_windows(
     times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[ArrayLike, "n"], window: float = SIX_YEARS,
     period: float | None = None,
-) -> ChandlerWindows:  # fmt: skip
+) -> ChandlerWindows:
     """Fit amplitude and phase of the wobble in windows that slide by a quarter of a year.
 
     In each window position, drift, seasons and the prograde wobble at one rate are fitted. Errors are by the
@@ -121,12 +121,12 @@ def fit_chandler_windows(
     if not LIMITS.min_window * 0.999 <= window <= raw.span:
         raise InvalidInput(f"the window must be from {LIMITS.min_window / YEAR:g} years, which separate the wobble "
                            f"from the year, to the series' {raw.span / YEAR:.2f} years; got {shown(window / YEAR)}. "
-                           "Leave it out for 6 years.")  # fmt: skip
+                           "Leave it out for 6 years.")
     if period is None:
         period = float(fit_chandler(times, x, y).estimate.value[0])
     if not CHANDLER.min_period <= period <= CHANDLER.max_period:
         raise InvalidInput(f"`period` must be from {CHANDLER.min_period / DAY:g} to {CHANDLER.max_period / DAY:g} d, "
-                           f"in seconds; got {shown(period)}. Leave it out to have it fitted.")  # fmt: skip
+                           f"in seconds; got {shown(period)}. Leave it out to have it fitted.")
     pole = average_steps(raw, STEP)
     epoch = 0.5 * float(pole.times[0] + pole.times[-1])
     rate = 2.0 * np.pi / period

@@ -35,7 +35,7 @@ Numbers = tuple[Change, Change, Change, Change, Change]  # modulus to solid angl
 def changed_numbers(
     prepared: Prepared, numbers: Characteristics, d_moments: Float64[Array, "*shape 3"],
     d_momentum: Float64[Array, "*shape 3"],
-) -> Numbers:  # fmt: skip
+) -> Numbers:
     """Return the changes of modulus, period, precession rate, precession per period and solid angle.
 
     Args:

@@ -54,7 +54,7 @@ def _put_rates(w: Any, full: int, count: int, m: Any) -> None:
         precession = precession_rate(
             w[at.LONG + i] < 0.0, w[at.B + i] >= w[at.A + i], moments, pair(w, at.LEAD + i), pair(w, at.SUM + i),
             pair(w, at.GG + i), pair(w, at.G + i), mean,
-        )  # fmt: skip
+        )
         first, second = phase_rates(i < full, precession, mean, pair(w, at.V + i), w[at.RATE + i])
         put_record(m, FIRST + i, (*halves(first[0]), first[1], *halves(second[0]), second[1]))
 

@@ -125,7 +125,7 @@ def _matrices(w: Any, count: int, m: Any, spinor: Any) -> None:
             outer if first == 0.0 else 0.0, middle if second == 0.0 else 0.0, outer if third == 0.0 else 0.0,
             outer if first == 1.0 else 0.0, middle if second == 1.0 else 0.0, outer if third == 1.0 else 0.0,
             outer if first == 2.0 else 0.0, middle if second == 2.0 else 0.0, outer if third == 2.0 else 0.0,
-        ))  # fmt: skip
+        ))
 
 
 @entry

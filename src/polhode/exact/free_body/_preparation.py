@@ -59,7 +59,7 @@ def _motion(body: Reduction, rates: Frequencies, moments: Array, momentum: Array
     unfinished = Motion(
         full, split_rate(*first), split_rate(*second), arguments[0:2], arguments[2:12], arguments[12:17], arguments[17],
         (zero,) * 16, (zero,) * 9,
-    )  # fmt: skip
+    )
     to_attitude, to_momentum = _matrices(unfinished, body, rates, moments, momentum, attitude)
     return flatten_motion(unfinished._replace(to_attitude=to_attitude, to_momentum=to_momentum))
 
@@ -143,7 +143,7 @@ def _matrices(
     to_momentum = tuple(
         xp.where(constant, momentum[..., i] if j == 2 else zero, size * body.axes[i][j] + zero)
         for i in range(3) for j in range(3)
-    )  # fmt: skip
+    )
     return tuple(columns[k][i] for i in range(4) for k in range(4)), to_momentum
 
 

@@ -181,7 +181,7 @@ def _passage(prepared: Prepared, form: Canonical, time: Array) -> Passage:
     kernel = elliptic_kernel(
         xp.where(middle, u1[0] / rate, time), form.b, form.g, form.kappa, xp.where(middle, 0.0, turns),
         dd.where(middle, u1, w), xp.where(middle, gap(u1[0]), to_quarter),
-    )  # fmt: skip
+    )
     # the other phase: the epoch's for a passage, else the present one, whose cn and dn are small near a saddle
     other = dd.where(middle, u0, u1)
     second = elliptic_kernel(other[0] / rate, form.b, form.g, form.kappa, zero, other, gap(other[0]))
@@ -203,7 +203,7 @@ def _passage(prepared: Prepared, form: Canonical, time: Array) -> Passage:
     return Passage(
         kernel, middle, signs, first, last,
         kernel.rho - xp.where(middle, second.rho, 0.0), kernel.sigma - xp.where(middle, second.sigma, 0.0),
-    )  # fmt: skip
+    )
 
 
 def _addition_theorem(form: Canonical, kernel: Kernel, start: Vector) -> Vector:

@@ -91,18 +91,18 @@ class FreeMotion(AbstractMotion, Generic[Answer]):
         self: FreeMotion[float], moments: Sequence[float], *, momentum: Sequence[float] | None = None,
         angular_velocity: Sequence[float] | None = None, attitude: Sequence[float] | None = None, epoch: float = 0.0,
         momentum_at_epoch: Sequence[float] | None = None, attitude_at_epoch: Sequence[float] | None = None,
-    ) -> None: ...  # fmt: skip
+    ) -> None: ...
     @overload
     def __init__(
         self, moments: Real[ArrayLike, "*#batch 3"], *, momentum: Spin = None,
         angular_velocity: Spin = None, attitude: Attitude | None = None, epoch: Real[ArrayLike, "*#batch"] = 0.0,
         momentum_at_epoch: Spin = None, attitude_at_epoch: Attitude | None = None, axes: Axes | None = None,
-    ) -> None: ...  # fmt: skip
+    ) -> None: ...
     def __init__(
         self, moments: Real[ArrayLike, "*#batch 3"], *, momentum: Spin = None, angular_velocity: Spin = None,
         attitude: Attitude | None = None, epoch: Real[ArrayLike, "*#batch"] = 0.0,
         momentum_at_epoch: Spin = None, attitude_at_epoch: Attitude | None = None, axes: Axes | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         momentum = one_of("momentum", momentum, momentum_at_epoch)
         attitude = one_of("attitude", attitude, attitude_at_epoch)
         super().__init__(moments, {}, momentum, attitude, epoch, angular_velocity, axes)
@@ -113,13 +113,13 @@ class FreeMotion(AbstractMotion, Generic[Answer]):
         cls, body: Body, *, angular_velocity: Sequence[float] | None = None,
         momentum: Sequence[float] | None = None, attitude: Sequence[float] | None = None,
         epoch: float = 0.0,
-    ) -> FreeMotion[float]: ...  # fmt: skip
+    ) -> FreeMotion[float]: ...
     @overload
     @classmethod
     def from_body(
         cls, body: Body, *, angular_velocity: Spin = None, momentum: Spin = None,
         attitude: Attitude | None = None, epoch: Real[ArrayLike, "*#batch"] = 0.0,
-    ) -> FreeMotion: ...  # fmt: skip
+    ) -> FreeMotion: ...
     @classmethod
     def from_body(
         cls,
@@ -145,7 +145,7 @@ class FreeMotion(AbstractMotion, Generic[Answer]):
         check_is_body(body)
         spin_of(momentum, angular_velocity)
         return cls(body.principal_moments, momentum=momentum, angular_velocity=angular_velocity, attitude=attitude,
-                   epoch=epoch, axes=body.principal_axes)  # fmt: skip
+                   epoch=epoch, axes=body.principal_axes)
 
     # ------------------------------------------------------------------ evaluation
 

@@ -66,7 +66,7 @@ def unflatten(m: Any) -> Motion:
     return Motion(
         m[0], m[1:4], m[4:7], m[7:10], m[10:12], m[12:16], m[16:20], m[20:24], m[24:28], m[28], m[29:35], m[35:37],
         m[37:39], m[39:43], m[43], m[44],
-    )  # fmt: skip
+    )
 
 
 def motion_at(rows: Any, i: int) -> Motion:

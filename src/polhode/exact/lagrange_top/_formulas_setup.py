@@ -62,7 +62,7 @@ class TurningPoints(NamedTuple):
 def cubics(
     axial: float, g: Pair, inverse: Pair, s0: Pair, t0: Pair, u0: Pair, w2: Pair, twist: Pair, p2: Pair, c2: Pair,
     d: Pair, f: Pair,
-) -> tuple[Pair, Cubic, Cubic]:  # fmt: skip
+) -> tuple[Pair, Cubic, Cubic]:
     """Return f1, and the cubics x³ + bx² + cx + d of Y = G (u3 − u0) and of s = 1 − u1; ``inverse`` is 1/G."""
     # with v = u − u0 and the |w|² of the start, u̇² = (1 − u²)(|w|² − G v) − (b − a u)² = p² + f1 v + f2 v² + G v³,
     # and with s = 1 − u it is −(G s³ − D s² − 2F s + c²)
@@ -125,7 +125,7 @@ def _lower_root_apart(g: Pair, s0: Pair, p2: Pair, c2: Pair, f: Pair, s1: Pair) 
 def turning_points_of(
     is_upper: bool, lone_root: Pair, g: Pair, safe: Pair, s0: Pair, t0: Pair, p2: Pair, c2: Pair, c_plus: Pair, f: Pair,
     f1: Pair,
-) -> TurningPoints:  # fmt: skip
+) -> TurningPoints:
     """Return the turning points from the separate root, Y or else s1; ``safe`` is G, where it is positive."""
     x = _upper_root_apart(g, s0, p2, c2, f1, lone_root)
     y = _lower_root_apart(safe, s0, p2, c2, f, lone_root)
@@ -135,7 +135,7 @@ def turning_points_of(
         choice(is_upper, x[0], y[0]), upper, choice(is_upper, x[2], y[2]), choice(is_upper, x[3], y[3]),
         choice(is_upper, x[4], y[4]), quotient(square(c_plus), multiply(t2, z)), t2, choice(is_upper, x[5], y[5]),
         choice(is_upper, x[6], y[6]), apart, choice(is_upper, x[8], y[8]), z,
-    )  # fmt: skip
+    )
 
 
 # ---------------------------------------------------------------------- rates
@@ -243,7 +243,7 @@ def complementary_series(
 def _constant_phase(
     r: float, i: float, dr: float, di: float, turns: float, rate: float, component: Pair, slope: Pair, norm: float,
     drop: float, turn: float, size: float,
-) -> Pair:  # fmt: skip
+) -> Pair:
     """Return cos and sin of the phase that turns A or B at the epoch into the given α or β.
 
     Where one of them vanishes its own phase says nothing; its derivative then does, so both are used.

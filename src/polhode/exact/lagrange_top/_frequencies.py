@@ -51,7 +51,7 @@ def top_frequencies(top: Reduction, points: TurningPoints) -> Frequencies:
     starts = [dd.where(aperiodic, one, v) for v in (root_A, root_B, square_alpha, square_beta)]
     # α's and β's sums share the mean: one run over both
     both = [tuple(xp.stack([x, y]) for x, y in zip(*pair, strict=True))
-            for pair in ((starts[0], starts[0]), (starts[1], starts[1]), (starts[2], starts[3]))]  # fmt: skip
+            for pair in ((starts[0], starts[0]), (starts[1], starts[1]), (starts[2], starts[3]))]
     mean, totals = third_kind_agm(*both)
     nutation = dd.scale((mean[0][0, ...], mean[1][0, ...]), 0.5)
     total_alpha, total_beta = ((totals[0][k, ...], totals[1][k, ...]) for k in (0, 1))
@@ -71,7 +71,7 @@ def top_frequencies(top: Reduction, points: TurningPoints) -> Frequencies:
     frequencies = Frequencies(
         dd.scale(root_A, 0.5), dd.where(separatrix, zero, nutation), dd.scale(alpha, sign_alpha),
         dd.scale(beta, sign_beta), sign_alpha, sign_beta, spin, permanent, separatrix, ~(points.d[0] > 0) & ~aperiodic,
-    )  # fmt: skip
+    )
     return _lingering(top, frequencies)
 
 

@@ -77,7 +77,7 @@ def _characteristics(top: Reduction, points: TurningPoints, rates: Frequencies) 
         _regime(top, points, rates), xp.where(top.reversed, -upper, lower), xp.where(top.reversed, -lower, upper),
         xp.where(none == 0.0, period, none), precession + undefined, sense * own_turn + undefined, rate(precession),
         sense * rate(own_turn),
-    )  # fmt: skip
+    )
 
 
 def _cosine(xp: Any, s: DoubleDouble, t: DoubleDouble) -> Array:

@@ -77,10 +77,10 @@ def _points(w: Any, count: int) -> None:
             w[at.UP + i] > 0.0, pair(w, at.Y + i), g, g, pair(w, at.S0 + i), pair(w, at.T0 + i),
             square(pair(w, at.P + i)), square(pair(w, at.C + i)), pair(w, at.C_PLUS + i), pair(w, at.F + i),
             pair(w, at.A + i),
-        )  # fmt: skip
+        )
         put_record(w, at.LOWER + i, (
             *p.from_lower, *p.from_upper, *p.d, *p.s1, *p.s2, *p.t1, *p.t2, *p.A, *p.B, *p.Y, *p.Z_minus, *p.Z_plus,
-        ))  # fmt: skip
+        ))
 
 
 @called

@@ -93,7 +93,7 @@ def _put_motion(w: Any, count: int, m: Any, complementary: float) -> None:
         w[at.LINEAR_A + i], w[at.LINEAR_B + i], w[at.TURN + i] = linear_a, linear_b, turn
         put_record(m, RATES + i, (
             2.0 * turn * w[at.SIZE + i], 2.0 * (linear_a + linear_b) * w[at.SIZE + i], 1.0, 0.0, 1.0, 0.0
-        ))  # fmt: skip
+        ))
         m[REVERSED + i] = w[at.SIDE + i]
 
 
@@ -123,4 +123,4 @@ def phases(w: Any, count: int, m: Any, work: Any) -> None:
             (w[at.E0 + i], w[at.E1 + i], w[at.E2 + i], w[at.E3 + i]), pair(w, at.NORM + i), (x, y, z),
             (x * x + y * y) + (z * z + w[at.G + i]), sums_at(work, SUMS + i),
             (w[at.LINEAR_A + i], w[at.LINEAR_B + i]), w[at.TURN + i],
-        ))  # fmt: skip
+        ))

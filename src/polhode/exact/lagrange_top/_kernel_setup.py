@@ -76,7 +76,7 @@ def _finite(m: Any, count: int, good: Any) -> None:
 @entry
 def set_up(
     moments: Any, mgl: Any, momentum: Any, attitude: Any, columns: Any, left: Any, first: int
-) -> None:  # fmt: skip
+) -> None:
     begun, w, m = room(ROWS * BLOCK), room(ROWS * BLOCK), room(COLUMNS * BLOCK)
     steps, work, zeros, terms = room(STEPS * BLOCK), room(WORK * BLOCK), room(BLOCK), room(TERMS)
     sources, place, who = places(BLOCK), places(BLOCK), places(BLOCK)

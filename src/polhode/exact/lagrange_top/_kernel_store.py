@@ -11,10 +11,10 @@ from polhode.exact._kernel_arithmetic import (
 # (above), then whether its upper root stands apart (0 or 1; below zero it is NumPy's)
 (I1, I3, L1, L2, L3, E0, E1, E2, E3, SIDE, SIZE, RATE, UP, NOME) = range(0, 14 * BLOCK, BLOCK)
 (NORM, G, S0, T0, U0, P, C, C_PLUS, TWIST, F, D, W2, LOWER, UPPER, GAP, S1, S2, T1, T2, A, B, Y, Z_MINUS,
- Z_PLUS) = range(14 * BLOCK, 62 * BLOCK, 2 * BLOCK)  # fmt: skip
+ Z_PLUS) = range(14 * BLOCK, 62 * BLOCK, 2 * BLOCK)
 KEPT = 62
 # of what is found afterwards
 (HALF_ROOT, MEAN, SUM, NUTATION, ALPHA, BETA, X0) = range(62 * BLOCK, 76 * BLOCK, 2 * BLOCK)
 (V_ALPHA, V_BETA, W_ALPHA, W_BETA, Y_ALPHA, Y_BETA, R_ALPHA, R_BETA, THETA3, LINEAR_A, LINEAR_B, TURN,
- SIGN_A, SIGN_B) = range(76 * BLOCK, 90 * BLOCK, BLOCK)  # fmt: skip
+ SIGN_A, SIGN_B) = range(76 * BLOCK, 90 * BLOCK, BLOCK)
 ROWS = 90

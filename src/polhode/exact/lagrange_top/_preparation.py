@@ -150,7 +150,7 @@ def _motion(
         (xp.where(permanent, 1.0, rates.sign_alpha), xp.where(permanent, 1.0, rates.sign_beta)),
         (2.0 * argument_rate * top.momentum_scale, 2.0 * (linear[0] + linear[1]) * top.momentum_scale),
         (1.0 + zero, zero, 1.0 + zero, zero), axial, xp.where(top.reversed, -1.0, 1.0),
-    ))  # fmt: skip
+    ))
     return flatten_motion(motion._replace(phases=_constant_phases(top, motion, linear, argument_rate)))
 
 
@@ -169,7 +169,7 @@ def _linear_rates(rates: Frequencies, at: _Arguments) -> tuple[Array, Array]:
     out = []
     for rate, sign, y in (
         (rates.alpha, rates.sign_alpha, at.y_alpha), (rates.beta, rates.sign_beta, at.y_beta),
-    ):  # fmt: skip
+    ):
         carried = sign * xp.where(at.full | rates.separatrix, 0.0, y) * rates.nutation[0] * (2.0 / math.pi)
         out.append(xp.where(rates.permanent, 0.0, rate[0] + carried))
     return out[0], out[1]

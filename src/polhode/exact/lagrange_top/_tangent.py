@@ -80,7 +80,7 @@ class TangentData(NamedTuple):
     def whole_nutation(self) -> Nutation:
         return Nutation(
             self.G, self.L3, self.c, self.energy, self.s2, self.d, self.A, self.B, self.lift, self.climb
-        )  # fmt: skip
+        )
 
 
 class _Course(NamedTuple):
@@ -112,7 +112,7 @@ def tangent_data(prepared: Prepared) -> TangentData:
         xp.where(endless, 0.0, d), safe(points.A, 1.0), safe(points.B, 1.0), xp.where(permanent, top.s0[0], tilt),
         place, lift, climb(top)[0], *rates.nutation, *rates.alpha, *rates.beta, *rates.spin, rates.sign_alpha,
         rates.sign_beta, permanent, separatrix, hanging, top.reversed, top.momentum_scale, top.rate_scale,
-    )  # fmt: skip
+    )
 
 
 def _given_size(
@@ -250,7 +250,7 @@ def _phases(
     for linear, sign, sense, upright in (
         ((top.alpha, top.alpha_rest), top.sign_alpha, 1.0, endless & ~top.hanging),
         ((top.beta, top.beta_rest), top.sign_beta, -1.0, top.hanging),
-    ):  # fmt: skip
+    ):
         turn = dd.scale(dd.add(dd.divide(linear, nutation), dd.from_float(sign)), 0.5)  # of a nutation, in turns
         turn = dd.where(endless, (zero, zero), turn)
         own = dd.add(dd.scale(half_spin, sense), dd.from_float(xp.where(upright, 0.5 * sense * top.L3, 0.0)))
@@ -274,7 +274,7 @@ def _paired(parts: tuple[Array, ...]) -> Moved:
 def _stood(
     xp: Any, top: TangentData, course: _Course, values: tuple[Vector, Vector], changes: tuple[Moved, Moved],
     by: Invariants,
-) -> Moved:  # fmt: skip
+) -> Moved:
     """Return the changes of an upright top, from the epoch or the end of its climb on, α's phase ½aτ taken off."""
     permanent, hanging = top.permanent, top.hanging
     begin = xp.where(permanent, 0.0, course.rest)
@@ -308,7 +308,7 @@ def _spherical(xp: Any, top: TangentData, attitude: Array, momentum: Array) -> V
 def _assembled(
     xp: Any, top: TangentData, now: Vector, changes: tuple[Moved, Moved], da: Array, times: Any,
     phases: tuple[Array, Array],
-) -> tuple[Array, Array]:  # fmt: skip
+) -> tuple[Array, Array]:
     """Return the changes of attitude and momentum on the given axes and in the given units.
 
     The flow's change is multiplied by the phases; those by whole nutations, by τ = t/I1 and by the spin ν t are added.

@@ -94,18 +94,18 @@ class LagrangeMotion(AbstractMotion, Generic[Answer]):
         self: LagrangeMotion[float], moments: Sequence[float], *, mgl: float, momentum: Sequence[float] | None = None,
         angular_velocity: Sequence[float] | None = None, attitude: Sequence[float] | None = None, epoch: float = 0.0,
         momentum_at_epoch: Sequence[float] | None = None, attitude_at_epoch: Sequence[float] | None = None,
-    ) -> None: ...  # fmt: skip
+    ) -> None: ...
     @overload
     def __init__(
         self, moments: Real[ArrayLike, "*#batch 3"], *, mgl: Real[ArrayLike, "*#batch"], momentum: Spin = None,
         angular_velocity: Spin = None, attitude: Attitude | None = None, epoch: Real[ArrayLike, "*#batch"] = 0.0,
         momentum_at_epoch: Spin = None, attitude_at_epoch: Attitude | None = None, axes: Axes | None = None,
-    ) -> None: ...  # fmt: skip
+    ) -> None: ...
     def __init__(
         self, moments: Real[ArrayLike, "*#batch 3"], *, mgl: Real[ArrayLike, "*#batch"], momentum: Spin = None,
         angular_velocity: Spin = None, attitude: Attitude | None = None, epoch: Real[ArrayLike, "*#batch"] = 0.0,
         momentum_at_epoch: Spin = None, attitude_at_epoch: Attitude | None = None, axes: Axes | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         momentum = one_of("momentum", momentum, momentum_at_epoch)
         attitude = one_of("attitude", attitude, attitude_at_epoch)
         super().__init__(moments, {"mgl": mgl}, momentum, attitude, epoch, angular_velocity, axes)
@@ -116,13 +116,13 @@ class LagrangeMotion(AbstractMotion, Generic[Answer]):
         cls, body: Body, *, pivot: Real[ArrayLike, "3"], angular_velocity: Sequence[float] | None = None,
         momentum: Sequence[float] | None = None, attitude: Sequence[float] | None = None,
         epoch: float = 0.0, gravity: float = STANDARD_GRAVITY,
-    ) -> LagrangeMotion[float]: ...  # fmt: skip
+    ) -> LagrangeMotion[float]: ...
     @overload
     @classmethod
     def from_body(
         cls, body: Body, *, pivot: Real[ArrayLike, "3"], angular_velocity: Spin = None, momentum: Spin = None,
         attitude: Attitude | None = None, epoch: Real[ArrayLike, "*#batch"] = 0.0, gravity: float = STANDARD_GRAVITY,
-    ) -> LagrangeMotion: ...  # fmt: skip
+    ) -> LagrangeMotion: ...
     @classmethod
     def from_body(
         cls,
@@ -169,7 +169,7 @@ class LagrangeMotion(AbstractMotion, Generic[Answer]):
         pivoted = about_pivot(body, pivot, gravity)
         moments, axes = third_axis_to_centre(pivoted)
         return cls(moments, mgl=pivoted.mgl, momentum=momentum, angular_velocity=angular_velocity, attitude=attitude,
-                   epoch=epoch, axes=axes)  # fmt: skip
+                   epoch=epoch, axes=axes)
 
     # ------------------------------------------------------------------ evaluation
 
@@ -312,9 +312,9 @@ def _checked_symmetry(xp: Any, moments: Array) -> Array:
         remedy = (
             "They differ by rounding: give one of them twice." if apart <= EQUAL
             else "Other heavy tops have no closed form: put the axis third, or use HeavyTop with simulate."
-        )  # fmt: skip
+        )
         raise InvalidInput(f"`moments` must be (I1, I1, I3), the first two equal; got {tuple(bad.tolist())} kg m², "
-                           f"{apart:.1e} of their size apart. {remedy}")  # fmt: skip
+                           f"{apart:.1e} of their size apart. {remedy}")
     return xp.where(equal, moments, np.nan)
 
 

@@ -60,7 +60,7 @@ def steady_precession(
     """
     if (spin is None) == (spin_rate is None):
         raise InvalidInput("give either `spin`, the component along the axis, or `spin_rate`, that against the line of "
-                           "nodes.")  # fmt: skip
+                           "nodes.")
     I1, I3 = _checked(moments, mgl)
     rate = spin if spin_rate is None else spin_rate
     assert rate is not None

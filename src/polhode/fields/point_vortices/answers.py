@@ -143,7 +143,7 @@ class VorticesReport(MotionReport):
             Answer("strengths", strengths, "m²/s"),
             Answer("total_strength", total, "m²/s", "sum of the strengths", "", number(total, "m²/s")),
             *own,
-        ])  # fmt: skip
+        ])
 
     def about_turn(self) -> Group:
         turn, verdict = self.turn, self.verdict
@@ -162,7 +162,7 @@ class VorticesReport(MotionReport):
         if verdict is not None:
             growing = f"{verdict.verdict}, growth {verdict.rate:.6g} /s" if verdict.rate else verdict.verdict
             values += [*about_stability("stability", verdict), Answer("", None, "", "verdict", "", growing),
-                       Answer("", None, "", "because", "", verdict.words)]  # fmt: skip
+                       Answer("", None, "", "because", "", verdict.words)]
         return Group("As a whole", values)
 
     def _table(self) -> Table:
@@ -179,7 +179,7 @@ class VorticesReport(MotionReport):
         }
         units = {"strength": "m²/s", "start": "m", "end": "m"}
         return Table("vortices", "Places", columns, rows, units, shown=lambda row: row["vortex"] <= 12,
-                     errors={"end": motion_error(self.trajectory)})  # fmt: skip
+                     errors={"end": motion_error(self.trajectory)})
 
     def _place(self, place: list[float]) -> str:
         if self.sphere_radius is None:
@@ -199,7 +199,7 @@ class VorticesReport(MotionReport):
             Answer("closest.time", time, "s"),
             Answer("closest.vortices", list(pair)),
             *accuracy(self.trajectory),
-        ])  # fmt: skip
+        ])
 
 
 def _plain(degrees: float) -> float:

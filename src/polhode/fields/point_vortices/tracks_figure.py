@@ -62,4 +62,4 @@ def _legend(figure: Figure, axes: Any) -> None:
     (start,) = axes.plot([], [], "o", ms=3.5, mfc="white", mec=style.GREY, mew=0.9)
     (end,) = axes.plot([], [], "o", ms=3.5, color=style.GREY)
     figure.legend([*first.values(), start, end], [*first, "start", "end"], loc="outside upper center", ncols=4,
-                  fontsize=style.FONT - 1, frameon=False, handlelength=1.6)  # fmt: skip
+                  fontsize=style.FONT - 1, frameon=False, handlelength=1.6)

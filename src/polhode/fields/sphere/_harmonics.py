@@ -68,7 +68,7 @@ def inverse_squares(n: int) -> Float64[np.ndarray, "n"]:
 def on_map(
     coefficients: Complex128[Array, "*batch n n"], colatitude: Real[ArrayLike, "rows"],
     azimuth: Real[ArrayLike, "columns"],
-) -> Float64[np.ndarray, "*batch rows columns"]:  # fmt: skip
+) -> Float64[np.ndarray, "*batch rows columns"]:
     """Return functions (…, rows, columns) at colatitudes and azimuths [rad]."""
     f = np.asarray(coefficients)
     theta, phi = np.asarray(colatitude, float), np.asarray(azimuth, float)

@@ -39,13 +39,13 @@ def mollweide_maps(maps: Sequence[SphereMap], label: str, columns: int = 1) -> F
     largest = colour_limit(np.stack([each.values for each in maps]))
     rows = -(-len(maps) // columns)
     figure = style.new_figure(width=style.COLUMN * (1.0 if columns == 1 else 0.9 * columns),
-                              height=0.1 + 0.6 * style.COLUMN * rows)  # fmt: skip
+                              height=0.1 + 0.6 * style.COLUMN * rows)
     drawn: Any = None
     lines = 12  # contours
     for k, each in enumerate(maps):
         axes: Any = figure.add_subplot(rows, columns, k + 1, projection="mollweide")
         drawn = axes.pcolormesh(LONGITUDES, 0.5 * np.pi - COLATITUDES, each.values, cmap=COLOURS, vmin=-largest,
-                                vmax=largest, shading="nearest", rasterized=True)  # fmt: skip
+                                vmax=largest, shading="nearest", rasterized=True)
         if each.contours is not None and np.ptp(each.contours) > 0:
             axes.contour(LONGITUDES, 0.5 * np.pi - COLATITUDES, each.contours, lines, colors="k", linewidths=0.4)
         axes.set(xticklabels=[], yticklabels=[], title="")

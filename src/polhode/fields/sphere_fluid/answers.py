@@ -101,7 +101,7 @@ class FluidReport(MotionReport):
     def summary(self) -> str:
         (first, last), (begin, end) = self.mean_degrees, self.mean_degrees_of_enstrophy
         energy = "towards larger eddies" if last < 0.98 * first else (
-            "towards smaller eddies" if last > 1.02 * first else "hardly at all")  # fmt: skip
+            "towards smaller eddies" if last > 1.02 * first else "hardly at all")
         last, end = (self.rounded(f"{degree:.4g}") for degree in (last, end))
         return (
             f"The energy moved {energy}, from degree {first:.4g} to {last} on average, the squared vorticity from "
@@ -149,7 +149,7 @@ class FluidReport(MotionReport):
             Answer("energy", energy, "rad²/s²", "", "of the unit sphere, ½∫v²"),
             Answer("angular_momentum", momentum, "rad/s", "angular momentum", "∫ x ω of the unit sphere",
                    vector(momentum, "rad/s")),
-        ])  # fmt: skip
+        ])
 
     def _spectrum(self) -> Table:
         flux = -np.cumsum(np.asarray(self.system.energy_transfer(self._ends[1])))
@@ -157,7 +157,7 @@ class FluidReport(MotionReport):
             {"degree": k, "start": float(self.energies[0, k]), "end": float(self.energies[1, k]),
              "flux": float(flux[k])}
             for k in range(1, self.system.size)
-        ]  # fmt: skip
+        ]
         columns = {
             "degree": lambda row: str(row["degree"]),
             "energy at the start": lambda row: f"{row['start']:.4g}",
@@ -167,7 +167,7 @@ class FluidReport(MotionReport):
         units = {"start": "rad²/s²", "end": "rad²/s²", "flux": "rad²/s³"}
         listed = 12  # degrees in the text
         return Table("spectrum", "Energy by degree", columns, rows, units, shown=lambda row: row["degree"] <= listed,
-                     errors={head: motion_error(self.trajectory) for head in list(columns)[2:]})  # fmt: skip
+                     errors={head: motion_error(self.trajectory) for head in list(columns)[2:]})
 
     def _motion(self) -> Group:
         statistics = self.trajectory.statistics
@@ -181,7 +181,7 @@ class FluidReport(MotionReport):
             Answer("steps", count, "", "steps", "", steps),
             Answer("method", self.how or None, "", "computed by"),
             *accuracy(self.trajectory),
-        ])  # fmt: skip
+        ])
 
 
 def make_report(spec: Spec[FluidTable]) -> FluidReport:

@@ -16,7 +16,7 @@ def draw_vorticity(report: FluidReport) -> Figure:
     states = np.asarray(report.trajectory.states)[chosen]
     fields = np.asarray(report.system.on_grid(states, COLATITUDES, LONGITUDES))
     maps = [SphereMap(f"after {float(report.trajectory.times[k]):.4g} s", field)
-            for k, field in zip(chosen, fields, strict=True)]  # fmt: skip
+            for k, field in zip(chosen, fields, strict=True)]
     return mollweide_maps(maps, "relative vorticity  [rad/s]")
 
 

@@ -43,7 +43,7 @@ class SphereFluidPanel(KindPanel):
         series = [
             {"name": ["up to degree {degree}", {"degree": k}], "values": pack(shares[:, k], "f4")}
             for k in degrees if k < trajectory.source.size
-        ]  # fmt: skip
+        ]
         return {"plots": [{"title": "energy in eddies", "unit": "of all", "series": series}]}
 
 

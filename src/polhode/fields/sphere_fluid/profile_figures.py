@@ -16,7 +16,7 @@ def draw_spectrum(report: FluidReport) -> Figure:
     degree = np.arange(1, report.system.size)
     for k, (name, color) in enumerate((("start", style.GREY), ("end", style.BLUE))):
         upper.loglog(degree, np.where(report.energies[k, 1:] > 0.0, report.energies[k, 1:], np.nan), "o-", color=color,
-                     ms=2.5, lw=0.9, label=name)  # fmt: skip
+                     ms=2.5, lw=0.9, label=name)
     largest = float(report.energies.max())
     smallest = 1e-8  # of the largest energy, below which nothing is drawn
     least = max(float(report.energies[1, 1:].min()), smallest * largest)

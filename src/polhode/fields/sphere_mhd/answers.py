@@ -141,7 +141,7 @@ class MagneticReport(MotionReport):
         if not magnetic:
             return "There is no magnetic field, and none arises; the fluid moves as one that does not conduct."
         moved = "gained energy from the flow" if field > magnetic + 0.01 * whole else (
-            "lost energy to the flow" if field < magnetic - 0.01 * whole else "kept its energy")  # fmt: skip
+            "lost energy to the flow" if field < magnetic - 0.01 * whole else "kept its energy")
         share = self.rounded(f"{field / (now + field):.3g}")
         return (
             f"The field {moved}: its share went from {magnetic / whole:.3g} to {share}. What the "
@@ -197,7 +197,7 @@ class MagneticReport(MotionReport):
             Answer("kinetic_energy", kinetic, "rad²/s²", "kinetic energy", "at the start, of the unit sphere"),
             Answer("magnetic_energy", magnetic, "rad²/s²", "magnetic energy", "at the start"),
             Answer("cross_helicity", helicity, "rad²/s²", "cross-helicity", "∫ ω A, kept without rotation"),
-        ])  # fmt: skip
+        ])
 
     def _spectrum(self) -> Table:
         first, last = self.energies[[0, -1]]
@@ -205,7 +205,7 @@ class MagneticReport(MotionReport):
             {"degree": k, "kinetic": [float(first[0, k]), float(last[0, k])],
              "magnetic": [float(first[1, k]), float(last[1, k])]}
             for k in range(1, self.system.size)
-        ]  # fmt: skip
+        ]
         columns = {"degree": lambda row: str(row["degree"])} | {
             f"{part}, {when}": lambda row, p=part, k=k: f"{row[p][k]:.4g}"
             for part in ("kinetic", "magnetic") for k, when in enumerate(("start", "end"))
@@ -214,7 +214,7 @@ class MagneticReport(MotionReport):
         errors = {head: motion_error(self.trajectory) for head in columns if head.endswith("end")}
         listed = 12  # degrees in the text
         return Table("spectrum", "Energies by degree", columns, rows, units, shown=lambda row: row["degree"] <= listed,
-                     errors=errors)  # fmt: skip
+                     errors=errors)
 
     def _wave(self) -> Group:
         table: Any = self.table.alfven_wave
@@ -230,7 +230,7 @@ class MagneticReport(MotionReport):
                 Answer("wave_speed_in_run", fitted, "rad/s", "speed in the run", "", None if fitted is None else
                        f"{fitted:.10g} rad/s"),
             ]),
-        ])  # fmt: skip
+        ])
 
     def _growth(self) -> Table:
         rows = []
@@ -262,7 +262,7 @@ class MagneticReport(MotionReport):
             Answer("steps", count, "", "steps", "", steps),
             Answer("method", self.how or None, "", "computed by"),
             *accuracy(self.trajectory),
-        ])  # fmt: skip
+        ])
 
 
 def _mean_square(system: SphereMHD, matrix: Array) -> float:

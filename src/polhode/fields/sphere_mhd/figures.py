@@ -19,7 +19,7 @@ def draw_maps(report: MagneticReport) -> Figure:
         state = report.trajectory.states[k]
         potential, vorticity = np.asarray(system.on_grid(state, COLATITUDES, LONGITUDES))
         current = np.asarray(system.fluid.on_grid(system.current(state) + system.fluid.planetary,
-                                                  COLATITUDES, LONGITUDES))  # fmt: skip
+                                                  COLATITUDES, LONGITUDES))
         when = f"after {float(report.trajectory.times[k]):.4g} s"
         maps += [SphereMap(f"vorticity {when}", vorticity, potential), SphereMap(f"current {when}", current, potential)]
     return mollweide_maps(maps, "vorticity and current  [rad/s], with lines of the field", columns=2)
@@ -36,7 +36,7 @@ def draw_energies(report: MagneticReport) -> Figure:
     axes = figure.subplots()
     totals = report.energies.sum(axis=-1)
     for values, name, color in ((totals[:, 0], "kinetic", style.BLUE), (totals[:, 1], "magnetic", style.VERMILION),
-                                (totals.sum(axis=-1), "both", style.GREY)):  # fmt: skip
+                                (totals.sum(axis=-1), "both", style.GREY)):
         axes.plot(report.trajectory.times, values, color=color, lw=1.1, label=name)
     axes.set_ylim(0.0, 1.15 * float(totals.sum(axis=-1).max()))
     axes.set_xlabel("time  [s]")
@@ -56,7 +56,7 @@ def draw_spectrum(report: MagneticReport) -> Figure:
         for when, line, label in ((0, "o:", "start"), (-1, "o-", "end")):
             values = report.energies[when, k, 1:]
             axes.loglog(degree, np.where(values > smallest * largest, values, np.nan), line, color=color, ms=2.5,
-                        lw=0.9, label=f"{name}, {label}")  # fmt: skip
+                        lw=0.9, label=f"{name}, {label}")
     axes.set_xlabel("degree")
     axes.set_ylabel("energy  [rad²/s²]")
     axes.legend(fontsize=style.FONT - 1, frameon=False)

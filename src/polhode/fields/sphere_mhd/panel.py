@@ -44,7 +44,7 @@ class SphereMHDPanel(KindPanel):
         common = {"rows": rows, "columns": 2 * rows, "frames": pack(frames, "u4"), "lines": pack(lines, "u1"),
                   "bands": bands}  # fmt: skip
         return [{"type": f"magnetic_{name}", **common, **_levels(field)}
-                for name, field in (("vorticity", vorticity), ("current", current))]  # fmt: skip
+                for name, field in (("vorticity", vorticity), ("current", current))]
 
     def plots(self, trajectory: Trajectory, samples: Samples) -> dict[str, Any]:
         """Return kinetic and magnetic energy over time."""

@@ -28,7 +28,7 @@ def build_start(system: SphereMHD, table: MagneticFluidTable) -> Complex128[Arra
     vorticity, potential = (_sum_waves(waves) for waves in (
         [(wave, wave.vorticity) for wave in table.waves or []],
         [(wave, wave.field / math.sqrt(wave.degree * (wave.degree + 1))) for wave in table.field_waves or []],
-    ))  # fmt: skip
+    ))
     state = system.from_harmonics(vorticity, potential)
     if table.random is not None:
         state = state.at[1].add(_random(system, table.random, 1, table.random.vorticity))

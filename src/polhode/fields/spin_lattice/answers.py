@@ -149,10 +149,10 @@ class SpinLatticeReport(MotionReport):
             notes.append(f"the spins cover the sphere {self.skyrmions[1]:.0f} times: skyrmions.")
         if len(self.trajectory.times) < self.asked:
             notes.append(f"{len(self.trajectory.times)} of {self.asked} samples are kept: more would take over "
-                         f"{LIMITS.max_state_bytes >> 20} MiB.")  # fmt: skip
+                         f"{LIMITS.max_state_bytes >> 20} MiB.")
         if self.table.temperature is not None:
             notes.append("without an error estimate: other steps would meet another draw of the noise. The ± of the "
-                         "mean energy is its scatter.")  # fmt: skip
+                         "mean energy is its scatter.")
         return notes
 
     def without_motion(self) -> list[Group | Table]:
@@ -177,14 +177,14 @@ class SpinLatticeReport(MotionReport):
             Answer("thermal_energy", None if table.temperature is None else boltzmann * table.temperature, "J"),
             Answer("field", None if table.field is None else np.asarray(table.field), "T", "field", "",
                    None if table.field is None else vector(table.field, "T")),
-        ])  # fmt: skip
+        ])
 
     def _bonds(self) -> Table:
         rows = [
             {"sites": [bond.i + 1, bond.j + 1], "cell": list(bond.cell),
              "matrix": (hbar * np.array(bond.matrix)).tolist()}
             for bond in self.system.bonds
-        ]  # fmt: skip
+        ]
         columns = {
             "sites": lambda row: f"{row['sites'][0]}–{row['sites'][1]}",
             "cell": lambda row: str(tuple(row["cell"][: self.system.lattice.dimension])).replace(",)", ")"),
@@ -203,7 +203,7 @@ class SpinLatticeReport(MotionReport):
             Answer("waves.lowest", low, "J", "lowest", "along the first reciprocal vector", f"{low / MILLI:.6g} meV"),
             Answer("waves.highest", high, "J", "highest", "", f"{high / MILLI:.6g} meV"),
             Answer("waves.period", period, "s", "its period"),
-        ])  # fmt: skip
+        ])
 
     def _motion(self) -> Group:
         start, end = self.magnetizations[[0, -1]]
@@ -223,7 +223,7 @@ class SpinLatticeReport(MotionReport):
                    None if covered is None else f"{_whole(covered[0])} to {_whole(covered[1])}"),
             Answer("method", self.how or None, "", "computed by"),
             *accuracy(self.trajectory),
-        ])  # fmt: skip
+        ])
 
 
 def _chirality(matrix: list[list[float]]) -> Array:
@@ -297,7 +297,7 @@ def _in_joules(trajectory: Trajectory) -> Trajectory:
         trajectory, invariants=scale_energies(trajectory.invariants), balances=scale_energies(trajectory.balances),
         received=scale_energies(trajectory.received),
         quantities=trajectory.quantities | {"energy": ENERGY},
-    )  # fmt: skip
+    )
 
 
 def answers_without_motion(spec: Spec[SpinLatticeTable]) -> Iterator[Group | Table]:

@@ -43,7 +43,7 @@ def build_lattice(table: SpinLatticeTable) -> SpinLattice:
         BOHR_MAGNETON / hbar * field,
         0.0 if table.dipolar is None else table.dipolar / hbar,
         0.0 if table.temperature is not None else table.damping,
-    )  # fmt: skip
+    )
 
 
 def build_start(system: SpinLattice, table: SpinLatticeTable) -> Float64[Array, "..."]:

@@ -22,17 +22,17 @@ def draw_spins(report: SpinLatticeReport) -> Figure:
     axes: Any = figure.subplots()
     step = _apart(places)
     drawn = axes.scatter(places[:, 0], places[:, 1], c=spins[:, 2], cmap="RdBu_r", vmin=-1.0, vmax=1.0, marker="s",
-                         s=_size(step, places, high), linewidths=0, alpha=0.75)  # fmt: skip
+                         s=_size(step, places, high), linewidths=0, alpha=0.75)
     most_arrows = 2500
     if len(places) <= most_arrows:
         axes.quiver(places[:, 0], places[:, 1], spins[:, 0], spins[:, 1], pivot="mid", units="xy", scale=1.1 / step,
-                    width=0.08 * step, color=style.DARK)  # fmt: skip
+                    width=0.08 * step, color=style.DARK)
     bar = figure.colorbar(drawn, ax=axes, shrink=0.8, aspect=30)
     bar.set_label("S$_z$/S", fontsize=style.FONT)
     bar.ax.tick_params(labelsize=style.FONT - 1)
     axes.set_aspect("equal")
     axes.set(xlim=(places[:, 0].min() - step, places[:, 0].max() + step),
-             ylim=(places[:, 1].min() - step, places[:, 1].max() + step))  # fmt: skip
+             ylim=(places[:, 1].min() - step, places[:, 1].max() + step))
     layer = ", first layer" if lattice.dimension == 3 and lattice.shape[2] > 1 else ""
     axes.set_title(f"after {float(report.trajectory.times[-1]) * 1e12:.4g} ps{layer}", fontsize=style.FONT)
     axes.axis("off")

@@ -37,12 +37,12 @@ def draw_waves(report: SpinLatticeReport) -> Figure | None:
         log = np.log10(power[:, rows].T + 1e-300)
         brightest = float(log[still:].max())  # the mean spin, which does not move, outshines the waves
         axes.pcolormesh(shares, unit * omega[rows], log, vmin=brightest - decades, vmax=brightest, cmap="viridis",
-                        shading="nearest", rasterized=True)  # fmt: skip
+                        shading="nearest", rasterized=True)
     if waves is not None:
         _, shares = wave_path(report.system)
         for k, mode in enumerate(np.asarray(waves).T):
             axes.plot(shares, unit * mode, "--", color="white" if spectral else style.BLUE, lw=0.9,
-                      label="linear spin waves" if k == 0 else None)  # fmt: skip
+                      label="linear spin waves" if k == 0 else None)
         axes.legend(fontsize=style.FONT - 1, labelcolor="white" if spectral else style.DARK, frameon=False)
     axes.set_xlabel("wave vector, of the first reciprocal one")
     axes.set_ylabel("energy  [meV]")

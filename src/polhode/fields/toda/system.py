@@ -68,7 +68,7 @@ class Toda(AbstractLiePoissonSystem):
         empty = jnp.zeros((*point.shape[:-1], self.n, self.n))
         a = point[..., self.n :]
         return (empty.at[..., rows, rows].set(point[..., : self.n])
-                .at[..., rows[:-1], rows[1:]].set(a).at[..., rows[1:], rows[:-1]].set(a))  # fmt: skip
+                .at[..., rows[:-1], rows[1:]].set(a).at[..., rows[1:], rows[:-1]].set(a))
 
     @property
     def extra_invariants(self) -> dict[str, Function]:

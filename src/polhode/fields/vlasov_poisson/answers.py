@@ -142,7 +142,7 @@ class PlasmaReport(MotionReport):
             Answer("particles", count, "", "particles", "", words),
             Answer("modes", self.table.modes, "", "waves of the field"),
             Answer("recurrence_time", self.recurrence_time, "1/ω_p", "velocities in step again at"),
-        ])  # fmt: skip
+        ])
 
     def _beams(self) -> Table:
         columns = {
@@ -162,7 +162,7 @@ class PlasmaReport(MotionReport):
             Answer("wave.growth", wave.growth, "ω_p", "growth", "", number(wave.growth, "ω_p")),
             Answer("wave.response", wave.response, "", "response", "field at first, for a disturbance of one"),
             Answer("wave.phase", wave.phase, "rad"),
-        ])  # fmt: skip
+        ])
 
     def _motion(self) -> Group:
         fit = self.fit
@@ -171,7 +171,7 @@ class PlasmaReport(MotionReport):
                    f"{uncertain(fit.growth, fit.error, 'ω_p')}, from t = {fit.begin:.4g} to {fit.end:.4g}"),
             Answer("measured.growth_error", fit.error, "ω_p"),
             Answer("measured.window", [fit.begin, fit.end], "1/ω_p"),
-        ]  # fmt: skip
+        ]
         return Group("Motion", [
             *grown,
             Answer("field.start", float(self.field[0]), "", "field at the start"),
@@ -183,7 +183,7 @@ class PlasmaReport(MotionReport):
             ]),
             Answer("method", METHOD.format(step=self.table.step), "", "computed by"),
             *accuracy(self.trajectory),
-        ])  # fmt: skip
+        ])
 
 
 def make_report(spec: Spec[PlasmaTable]) -> PlasmaReport:

@@ -50,7 +50,7 @@ def draw_phase_space(report: PlasmaReport) -> Figure:
         try:
             density = _grid_density(states[k], values, length, fastest)
             axes.imshow(density, extent=(0.0, length, -fastest, fastest), origin="lower", aspect="auto", cmap="viridis",
-                        vmin=0.0, vmax=float(values.max()), interpolation="nearest")  # fmt: skip
+                        vmin=0.0, vmax=float(values.max()), interpolation="nearest")
         except QhullError:  # particles of one velocity span no area between them
             axes.plot(np.mod(states[k][:, 1], length), states[k][:, 0], ",", color=style.BLUE)
             axes.set(xlim=(0.0, length), ylim=(-fastest, fastest))

@@ -10,7 +10,7 @@ from polhode.spec.fields import Plain, PositivePlain, not_zero, within
 from polhode.spec.models import Strict, SystemTable
 
 Disturbance = Annotated[Plain, AfterValidator(within(-0.99, 0.99, "a share of the density")),
-                        AfterValidator(not_zero)]  # fmt: skip
+                        AfterValidator(not_zero)]
 Wavenumber = Annotated[Plain, AfterValidator(within(1e-3, 10.0, "in inverse Debye lengths"))]
 Step = Annotated[Plain, AfterValidator(within(1e-6, 1.0, "a fraction of a plasma oscillation"))]
 

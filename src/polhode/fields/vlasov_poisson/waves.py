@@ -93,7 +93,7 @@ def velocity_distribution(beams: Sequence[Beam], velocities: Float64[Array, "*sh
     """
     v = np.asarray(velocities, dtype=float)
     return sum((b.share / (b.spread * math.sqrt(2.0 * math.pi)) * np.exp(-0.5 * ((v - b.drift) / b.spread) ** 2)
-                for b in beams), 0.0 * v)  # fmt: skip
+                for b in beams), 0.0 * v)
 
 
 @known_numbers_only
@@ -179,7 +179,7 @@ def fastest_growing_wave(beams: Sequence[Beam], wavenumber: float) -> PlasmaWave
         for other in beams:
             # between two beams the phase velocity is one of neither
             guesses += [complex(k * (share * one.drift + (1.0 - share) * other.drift), high)
-                        for share in (0.5, 0.75) for high in (0.05, 0.2, 0.5)]  # fmt: skip
+                        for share in (0.5, 0.75) for high in (0.05, 0.2, 0.5)]
     waves = []
     for guess in guesses:
         with contextlib.suppress(NotConverged):
@@ -191,7 +191,7 @@ def fastest_growing_wave(beams: Sequence[Beam], wavenumber: float) -> PlasmaWave
 def _with_response(beams: Sequence[Beam], k: float, omega: complex) -> PlasmaWave:
     # residue of (−i ∫ f₀/(kv − ω) dv)/D at the mode, and E = n/k
     started = sum(b.share * _z((omega / k - b.drift) / (math.sqrt(2.0) * b.spread)) / (math.sqrt(2.0) * b.spread)
-                  for b in beams)  # fmt: skip
+                  for b in beams)
     residue = -started / (k * k * _dispersion(beams, k, omega)[1])
     frequency = omega.real if abs(omega.real) > LIMITS.max_rounded_frequency * abs(omega) else 0.0
     return PlasmaWave(k, frequency, omega.imag, 2.0 * abs(residue), math.atan2(residue.imag, residue.real))

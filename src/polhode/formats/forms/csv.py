@@ -30,4 +30,4 @@ def read(path: Path, kernels: Kernels) -> Trajectory:
 FORM = Form(
     "csv", "CSV table", ".csv", "a table along the given axes; every digit", write, read,
     lambda head: head.startswith(BEGINS), is_own=True,
-)  # fmt: skip
+)

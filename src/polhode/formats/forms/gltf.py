@@ -18,4 +18,4 @@ def write(content: Content, path: Path) -> Path:
 FORM = Form(
     "gltf", "glTF animation", ".glb", "glTF 2.0 animation of the body; angles to 1e-7, as it holds single precision",
     write, sampled=False,
-)  # fmt: skip
+)

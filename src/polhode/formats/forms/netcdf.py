@@ -30,4 +30,4 @@ def read(path: Path, kernels: Kernels) -> Trajectory:
 FORM = Form(
     "netcdf", "dataset", ".nc", "all quantities along the principal axes, or levels and lines; every digit", write,
     read, lambda head: head.startswith(b"\x89HDF"), of_motion=False, is_own=True, has_labels=True,
-)  # fmt: skip
+)

@@ -82,7 +82,7 @@ class FreeBodyReport(MotionReport):
             {"axis": k + 1, "moment": self.motion.moments[k],
              "angle_to_momentum": None if leaning is None else leaning[k], **stability_values(stability)}
             for k, stability in enumerate(self.stability)
-        ]  # fmt: skip
+        ]
         units = {"moment": "kg m²", "angle_to_momentum": "rad, smallest and largest over all time"}
         more = {} if leaning is None else {"from L": lambda row: angles(row["angle_to_momentum"])}
         table = verdicts("axes", title, "axis", lambda row: str(row["axis"]), axes, units, more=more)
@@ -100,7 +100,7 @@ class FreeBodyReport(MotionReport):
                    f"{vector(motion.momentum_at_epoch)} kg m²/s  ({principal})"),
             Answer("angle_of_velocity_to_momentum", lean, "rad", "Ω from L", "smallest and largest over all time",
                    None if lean is None else angles(lean)),
-        ])  # fmt: skip
+        ])
 
     def _motion(self) -> Group:
         motion, curve = self.motion, self.herpolhode
@@ -112,7 +112,7 @@ class FreeBodyReport(MotionReport):
         radii = None if curve is None else (
             f"{curve.inner_radius:.6g} and {curve.outer_radius:.6g} {unit}, on a plane {curve.plane_distance:.6g} "
             f"{unit} from the centre of the inertia ellipsoid"
-        )  # fmt: skip
+        )
         return Group("Motion", [
             Answer("form", form),
             Answer("regime", motion.regime, "", "regime"),
@@ -136,7 +136,7 @@ class FreeBodyReport(MotionReport):
             Answer("herpolhode", None if curve is None else curve._asdict(), unit, "herpolhode between radii", "",
                    radii),
             *accuracy(self.trajectory),
-        ])  # fmt: skip
+        ])
 
     @property
     def notes(self) -> list[str]:

@@ -32,7 +32,7 @@ def headline(motion: FreeMotion) -> str:
     return {
         "rest": lambda motion: "The body is at rest.", "steady": _steady, "coning": _describe_coning,
         "tumbling": _describe_tumbling, "flipping": _describe_flipping,
-    }[rotation_form(motion)](motion)  # fmt: skip
+    }[rotation_form(motion)](motion)
 
 
 def _steady(motion: FreeMotion) -> str:

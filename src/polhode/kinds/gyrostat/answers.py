@@ -156,14 +156,14 @@ class GyrostatReport(MotionReport):
             Answer("moments", self.moments, "kg m²", "moments of the motion", less,
                    f"{distinct(self.moments)} kg m², {less}"),
             *(axes if self.free else axes[:1]),
-        ])  # fmt: skip
+        ])
 
     def _steady_rotations(self) -> Table:
         when = ", as the rotor turns at the end" if self.motor else ""
         rows = [
             {"along": e.along, "spin": e.spin, "energy": e.energy, "extremum": e.extremum, "circle": e.circle,
              "nutation": e.nutation, **stability_values(e.verdict)} for e in self.equilibria
-        ]  # fmt: skip
+        ]
         units = {"along": "direction of L", "spin": "rad/s, positive along L", "energy": "J",
                  "nutation": "rad/s, of L in the body"}
         cell = lambda row: f"{vector(row['along'])} {row['spin']:+.5g} rad/s, energy {row['extremum']}"  # noqa: E731
@@ -178,7 +178,7 @@ class GyrostatReport(MotionReport):
         leans = [Answer("rotor_axis_to_momentum", None)] if not norm else [
             Answer("rotor_axis_to_momentum.smallest", lean.min(), "rad", "smallest angle, rotor's axis to L"),
             Answer("rotor_axis_to_momentum.largest", lean.max(), "rad", "largest"),
-        ]  # fmt: skip
+        ]
         return Group("Motion", [
             Answer("momentum", momentum[0], "kg m²/s"),
             Answer("momentum_norm", norm, "kg m²/s", "|L|"),
@@ -199,7 +199,7 @@ class GyrostatReport(MotionReport):
                 Answer("final.motor_work", self.motor_work, "J", "work of the motor"),
             ]),
             *accuracy(self.trajectory),
-        ])  # fmt: skip
+        ])
 
 
     def _mean_rates(self) -> list[Answer]:
@@ -248,7 +248,7 @@ def _report_on(spec: Spec[GyrostatTable], assembly: RotorInBody, trajectory: Tra
     return GyrostatReport(
         spec, spec.system, assembly.moments, assembly.axes, assembly.along, assembly.momentum, trajectory, rotations,
         rates, assembly.axes @ assembly.velocity,
-    )  # fmt: skip
+    )
 
 
 def simulate_motion(spec: Spec[GyrostatTable]) -> SpecMotion:

@@ -53,7 +53,7 @@ def draw_gyrostat_motion(report: GyrostatReport) -> Figure:
     slow, power = style.power_of_ten((times[0], times[-1])), style.power_of_ten(velocity)
     for k in range(3):
         upper.plot(times / 10.0**slow, velocity[:, k] / 10.0**power, color=style.AXIS_COLOURS[k], lw=1.0,
-                   ls=("-", "--", "-.")[k], label=f"axis {k + 1}")  # fmt: skip
+                   ls=("-", "--", "-.")[k], label=f"axis {k + 1}")
     upper.set_ylabel(f"Ω  [{style.factor(power)}rad/s]")
     if report.motor:
         spin = style.power_of_ten(report.rotor_rate)
@@ -69,7 +69,7 @@ def draw_gyrostat_motion(report: GyrostatReport) -> Figure:
         axes.set_xlim(times[0] / 10.0**slow, times[-1] / 10.0**slow)
         style.tidy(axes)
     figure.legend(*upper.get_legend_handles_labels(), loc="outside upper center", ncols=3, fontsize=style.FONT - 1,
-                  frameon=False, handlelength=2.2)  # fmt: skip
+                  frameon=False, handlelength=2.2)
     return figure
 
 

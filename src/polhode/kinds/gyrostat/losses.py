@@ -67,4 +67,4 @@ def describe_losses(table: GyrostatTable, damping: DualSpinDamping) -> Group:
         Answer("losses.platform", platform, "", "losses in the body", "", EFFECTS[platform]),
         Answer("losses.rotor", rotor, "", "losses in the rotor", "", EFFECTS[rotor]),
         Answer("losses.time_constant", time, "s", "nutation angle", "negative where it grows", sense),
-    ])  # fmt: skip
+    ])

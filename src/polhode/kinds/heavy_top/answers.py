@@ -97,7 +97,7 @@ def _simulate(spec: Spec[HeavyTopTable]) -> _Moved:
     top = build_top(body, table.pivot, table.gravity)
     momentum, attitude = _start(spec, top)
     state = top.pack(rotation.multiply(attitude, rotation.conjugate(rotation.from_matrix(np.asarray(top.axes)))),
-                      momentum=np.asarray(top.axes) @ momentum)  # fmt: skip
+                      momentum=np.asarray(top.axes) @ momentum)
     if times is None:
         times = usual_times(None, top, momentum, spec.samples)
     watch = Watch(spec.until, times, _remedy(spec))
@@ -127,4 +127,4 @@ def _rename_invariants(trajectory: Trajectory) -> Trajectory:
     return replace(
         trajectory, invariants=rename(trajectory.invariants), drift=rename(trajectory.drift),
         quantities=trajectory.quantities | QUANTITIES,
-    )  # fmt: skip
+    )

@@ -88,7 +88,7 @@ class LagrangeTopReport(TopReport):
         limits = None if low is None or high is None else (
             f"{math.degrees(math.acos(low)):.8g}°, constant" if self.constant_tilt
             else f"{math.degrees(math.acos(high)):.8g}° to {math.degrees(math.acos(low)):.8g}°"
-        )  # fmt: skip
+        )
         varying = lambda label: "" if self.constant_tilt else label  # noqa: E731
         steady = None if self.steady is None else self.steady._asdict()
         rates = ", ".join(f"{name} {x:.8g} rad/s" for name, x in (steady or {}).items() if x is not None)
@@ -110,7 +110,7 @@ class LagrangeTopReport(TopReport):
             Answer("", exact.axial_momentum, "kg m²/s", "axial momentum"),
             *(answer._replace(label="") for answer in self.kept()),
             *accuracy(self.trajectory),
-        ])  # fmt: skip
+        ])
 
 
 _REGIMES = {
@@ -139,7 +139,7 @@ def make_report(spec: Spec[LagrangeTopTable]) -> LagrangeTopReport:
     return LagrangeTopReport(
         spec.body, spec.surface, top, trajectory, rest_verdicts(top, exact.momentum_at_epoch), remarks=spec.remarks,
         steady=steady_precession_of(exact), threshold=sleeping_threshold((I1, I1, I3), float(exact.mgl)),
-    )  # fmt: skip
+    )
 
 
 def simulate_motion(spec: Spec[LagrangeTopTable]) -> SpecMotion:

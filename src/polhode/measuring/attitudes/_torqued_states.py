@@ -21,7 +21,7 @@ Motion = tuple[Float64[Array, "n 4"], Float64[Array, "n 3"], Float64[Array, "p n
 def integrate_torqued(
     shape: Float64[Array, "2"], start: Float64[Array, "3"], push: Float64[Array, "3"], elapsed: Float64[Array, "n"],
     wheel: bool = False,
-) -> Motion:  # fmt: skip
+) -> Motion:
     """Return attitudes wxyz, rates, turns of the body by each parameter, and derivatives of the rates.
 
     Args:

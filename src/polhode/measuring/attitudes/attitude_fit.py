@@ -193,7 +193,7 @@ class _Solution(NamedTuple):
 def _make_result(
     solution: _Solution, t: Array, epoch: float, rates: Array, scores: dict[str, float], singular: Array,
     misfit: Misfit | None,
-) -> AttitudeFit:  # fmt: skip
+) -> AttitudeFit:
     system, x = solution.system, solution.x
     change = np.eye(len(x))
     change[2:5, 2:5] = right_jacobian(x[2:5])
@@ -206,7 +206,7 @@ def _make_result(
     reason = why_impossible(inertia) if inertia.determined else explain_undetermined([rates], inertia)
     if reason is not None:
         return AttitudeFit(None, None, None, None, None, None, None, misfit, None, None, t, residuals, rms, sigma,
-                           rate_sigma, scores, reason, singular)  # fmt: skip
+                           rate_sigma, scores, reason, singular)
     start = inertia.order.T @ x[PLACES["start"]]
     there = system.attitude0 * Rotation.from_rotvec(x[PLACES["attitude"]]) * Rotation.from_matrix(inertia.order)
     motion = FreeMotion(
@@ -222,7 +222,7 @@ def _make_result(
     ratios, turn, joint, torque, bias = known
     equal = inertia.equal if misfit is None else None
     return AttitudeFit(ratios, inertia.axes, turn, joint, equal, torque, bias, misfit, motion, name_of(motion.regime),
-                       t, residuals, rms, sigma, rate_sigma, scores, None, singular)  # fmt: skip
+                       t, residuals, rms, sigma, rate_sigma, scores, None, singular)
 
 
 def _torque(x: Array, covariance: Array, axes: Array, inertia: Principal, freedom: float) -> Estimate:
@@ -252,7 +252,7 @@ def _descend(system: _System, x: Array) -> _Solution:
             system.residuals, x, jac=system.jacobian,  # pyright: ignore[reportArgumentType]
             bounds=(low, high),  # pyright: ignore[reportArgumentType]
             loss="huber", f_scale=robust, x_scale="jac", xtol=1e-10, ftol=1e-8, gtol=1e-15, max_nfev=60,
-        )  # fmt: skip
+        )
         x, before = done.x, noise
         noise = np.array([_noise(r, freedom / data) for r, _ in system.blocks(x)])
         if done.status > 0 and np.abs(noise / before - 1.0).max() < FIT_LIMITS.noise_tolerance:
@@ -279,7 +279,7 @@ def _clean(times: ArrayLike, quaternions: ArrayLike, rates: ArrayLike | None) ->
     t, q = np.asarray(times, dtype=np.float64), np.asarray(quaternions, dtype=np.float64)
     if t.ndim != 1 or q.shape != (len(t), 4):
         raise InvalidInput(f"times of shape (n,) and quaternions of shape (n, 4) are needed; got {shown(t.shape)} and "
-                           f"{shown(q.shape)}.")  # fmt: skip
+                           f"{shown(q.shape)}.")
     gyro = None if rates is None else np.asarray(rates, dtype=np.float64)
     if gyro is not None and gyro.shape != (len(t), 3):
         raise InvalidInput(f"rates must have the shape (n, 3), one for each time; got {shown(gyro.shape)}.")
@@ -289,7 +289,7 @@ def _clean(times: ArrayLike, quaternions: ArrayLike, rates: ArrayLike | None) ->
     check_sizes(times=t, rates=np.zeros(0) if gyro is None else gyro)
     if len(t) < LIMITS.min_samples or not (np.diff(t) > 0).all():
         raise InvalidInput(f"at least {LIMITS.min_samples} attitudes at increasing times are needed; got {len(t)}. "
-                           "Sort them by time and leave out repeated times.")  # fmt: skip
+                           "Sort them by time and leave out repeated times.")
     lengths = np.linalg.norm(q, axis=1)
     if (np.abs(lengths - 1.0) > LIMITS.length_tolerance).any():
         worst = lengths[np.argmax(np.abs(lengths - 1.0))]
@@ -358,4 +358,4 @@ class _System:
         """Return their derivatives."""
         return np.concatenate([
             J.reshape(-1, len(x)) / s for (_, J), s in zip(self.blocks(x), self.noise, strict=True)
-        ])  # fmt: skip
+        ])

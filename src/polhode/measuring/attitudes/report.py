@@ -104,7 +104,7 @@ class AttitudeReport(StudyReport):
             Answer("torque_absolute", None if absolute is None else values(absolute), "N m",
                    "N along x, y, z", "", None if absolute is None else f"{in_words(absolute)} N m"),
             Answer("aicc", fit.aicc, "", "criterion" if both else "", "", said),
-        ])  # fmt: skip
+        ])
 
     @property
     def notes(self) -> list[str]:
@@ -114,7 +114,7 @@ class AttitudeReport(StudyReport):
         if fit.misfit is not None:
             advice = ("look at the residuals by `draw`. Torques that turn with the orbit or a field, as of the gravity "
                       "gradient or a dipole, are not tried; a part of the log in which they matter less may be free. "
-                      "Filtered attitudes have residuals that are alike too: thin them out.")  # fmt: skip
+                      "Filtered attitudes have residuals that are alike too: thin them out.")
             return [advice]
         equal = f"{fit.equal} within their errors: the axes between them are not determined."
         return [equal] if fit.equal else []

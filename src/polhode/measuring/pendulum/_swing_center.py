@@ -104,7 +104,7 @@ def find_center(
     """
     if len(places) < 2 or np.ptp(places) == 0.0:
         raise InvalidInput("the place of the centre of mass follows from pivots at two places at least. Give a second "
-                           "swing, or the distance.")  # fmt: skip
+                           "swing, or the distance.")
     if max(np.linalg.norm(np.cross(axes[0], axis)) for axis in axes) > MOMENT_LIMITS.axis_tolerance:
         raise InvalidInput("pivots on one scale must swing about the same axis; give distances for several axes.")
     far = _farthest(moments_at, mass, places, reach)
@@ -173,7 +173,7 @@ def _fit_place(moments: Estimate, slope: Array, at: float, stretch: tuple[float,
     joint = spread * np.array([[1.0, mean_rise], [mean_rise, mean_rise**2]]) if known else np.full((2, 2), math.inf)
     joint[1, 1] += 1.0 / weight
     return _Place(at, moments, step, mean + step * mean_rise, joint, float(np.sum((residual + held * turn) ** 2)),
-                  (mean + held * mean_rise, 1.0 / math.sqrt(weight)), stretch)  # fmt: skip
+                  (mean + held * mean_rise, 1.0 / math.sqrt(weight)), stretch)
 
 
 def _unite(places: list[_Place], whole: float) -> list[_Place]:
@@ -245,7 +245,7 @@ def _too_far_apart(places: Array, far: Array) -> str:
     k, n = int(np.argmin(places + far)), int(np.argmax(places - far))
     if k == n:
         return (f"the pivot at {places[k]:.4g} m gives no positive moment for any place of the centre of mass. Check "
-                "the timings, the count of oscillations in each, masses and jig.")  # fmt: skip
+                "the timings, the count of oscillations in each, masses and jig.")
     return (
         f"the pivots at {places[k]:.4g} and {places[n]:.4g} m are {places[n] - places[k]:.4g} m apart, but by their "
         f"periods a centre of mass is within {far[k]:.4g} m of the one and within {far[n]:.4g} m of the other. Check "

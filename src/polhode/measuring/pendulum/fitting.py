@@ -178,7 +178,7 @@ def fit_pendulum(
     if searched:
         if len(searched) != len(swings):
             raise InvalidInput("some pivots have a distance and others only a place. Give all swings the one or the "
-                               "other.")  # fmt: skip
+                               "other.")
         axes = np.stack([unit_vector(swing.axis) for swing in swings])
         places = np.array([swing.rig.place for swing in searched if isinstance(swing.rig, Pivot)])
         reach = [gravity.value * _squared_per_quarter(swing, swing.period.value) for swing in swings]
@@ -203,7 +203,7 @@ def fit_pendulum(
     inertia, principal, principal_axes, more, spare = tensor
     excess = float(max(principal.value[2] - principal.value[0] - principal.value[1], -principal.value[0], 0.0))
     return _test_swings(PendulumFit(moments, different, combined, inertia, principal, principal_axes, misfit + more,
-                                    freedom + spare, SILENT, excess, None))  # fmt: skip
+                                    freedom + spare, SILENT, excess, None))
 
 
 def _test_swings(fit: PendulumFit) -> PendulumFit:
@@ -214,7 +214,7 @@ def _test_swings(fit: PendulumFit) -> PendulumFit:
     bare = [None if one is None else one.without_errors() for one in (fit.inertia, fit.principal, fit.center)]
     inertia, principal, center = bare
     return fit._replace(combined=fit.combined.without_errors(), inertia=inertia, principal=principal, center=center,
-                        test=test)  # fmt: skip
+                        test=test)
 
 
 def _moment(swing: Swing, mass: float, gravity: float, value: dict[int, float], center: float | None = None) -> float:
@@ -274,7 +274,7 @@ def _on_filaments(
     undamped, (angles, weights) = _undamped_period(swing, period), _amplitudes(swing)
     length, upper, lower = sizes
     return float(sum(w * filament_moment(undamped, mass, length, upper, lower, float(angle), gravity)
-                     for angle, w in zip(angles, weights, strict=True)))  # fmt: skip
+                     for angle, w in zip(angles, weights, strict=True)))
 
 
 def _undamped_period(swing: Swing | Jig, period: float) -> float:
@@ -295,7 +295,7 @@ def _check_swing(swing: Swing) -> None:
             raise InvalidInput(f"the offset of the centre of mass must lie within the filaments; got {offset:.6g} m.")
         if offset and swing.rig.upper.value != swing.rig.lower.value:
             raise InvalidInput("an offset of the centre of mass needs vertical filaments, with upper and lower circle "
-                               "alike.")  # fmt: skip
+                               "alike.")
     elif swing.rig.distance is not None:
         measured["distance"] = swing.rig.distance
     if swing.jig is not None:

@@ -20,7 +20,7 @@ MAX_AMPLITUDE = math.radians(179.0)  # up to which a pendulum swings back
 def filament_period(
     moment: float, mass: float, length: float, upper: float, lower: float, amplitude: float = 0.0,
     gravity: float = STANDARD_GRAVITY,
-) -> float:  # fmt: skip
+) -> float:
     """Return the period [s] of a body that twists on filaments, at any amplitude.
 
     The height h of the upper circle over the lower one is h² = ℓ² − R² − r² + 2Rr cos θ, the energy
@@ -50,7 +50,7 @@ def filament_period(
 def filament_moment(
     period: float, mass: float, length: float, upper: float, lower: float, amplitude: float = 0.0,
     gravity: float = STANDARD_GRAVITY,
-) -> float:  # fmt: skip
+) -> float:
     """Return the moment [kg m²] of a body that twists on filaments with a period [s]; see ``filament_period``.
 
     Raises:

@@ -68,7 +68,7 @@ class PendulumReport(StudyReport):
             what = "moment" if fit.principal is None else "principal moments"
             return (f"{count} do not fit one body within their errors: χ² is {fit.misfit:.3g}, where {fit.freedom} is "
                     f"expected. A length, an axis, a count of turns or an error is wrong. The best fit, {what} {best} "
-                    "kg m², has no known error.")  # fmt: skip
+                    "kg m², has no known error.")
         if fit.principal is not None:
             return f"{count}: the principal moments are {_words(fit.principal)} kg m²."
         said = ", ".join(f"{uncertain(value, error)} kg m² about {_axis(axis)}" for axis, value, error in self._each())
@@ -87,20 +87,20 @@ class PendulumReport(StudyReport):
             notes.append(f"given without errors and taken as exact: {', '.join(measured.exact)}.")
         if any(swing.amplitude == 0.0 for swing in measured.swings):
             notes.append("a swing without amplitude is taken as small; 10° make the period 0.19 % longer, and the "
-                         "moment 0.38 % too large if they are not given.")  # fmt: skip
+                         "moment 0.38 % too large if they are not given.")
         if self.determined and self.probability is not None and self.probability < LIMITS.min_probability:
             notes.append(f"the swings do not fit one body within their errors: χ² is {fit.misfit:.3g}, where "
                          f"{fit.freedom} is expected. Look for a wrong length, axis or count of turns; the errors are "
-                         "then too small.")  # fmt: skip
+                         "then too small.")
         if fit.unphysical > 0.0 and fit.principal is not None and self.determined:
             error = math.sqrt(float(np.array([-1.0, -1.0, 1.0]) @ fit.principal.covariance @ (-1.0, -1.0, 1.0)))
             far = "far more than" if fit.unphysical > LIMITS.max_errors * error else "within"
             notes.append(f"no body has this tensor: its largest moment exceeds the sum of the others by "
-                         f"{fit.unphysical:.2g} kg m², {far} the error of {error:.2g}.")  # fmt: skip
+                         f"{fit.unphysical:.2g} kg m², {far} the error of {error:.2g}.")
         notes += self._three_axes()
         if fit.inertia is None and len(fit.axes) > 1:
             notes.append("a tensor needs six independent axes, like x, y, z, [1, 1, 0], [1, 0, 1], [0, 1, 1]; there "
-                         f"are {len(fit.axes)}.")  # fmt: skip
+                         f"are {len(fit.axes)}.")
         return notes
 
     def _three_axes(self) -> list[str]:
@@ -127,7 +127,7 @@ class PendulumReport(StudyReport):
         known = self.determined
         rows = [{"axis": axis.tolist(), "moment": value, "standard_error": error if known else None,
                  "interval": ends.tolist() if known else None}
-                for (axis, value, error), ends in zip(self._each(), intervals, strict=True)]  # fmt: skip
+                for (axis, value, error), ends in zip(self._each(), intervals, strict=True)]
         unknown = float("nan")
         columns = {
             "axis": lambda row: _axis(row["axis"]),
@@ -142,7 +142,7 @@ class PendulumReport(StudyReport):
         inertia, principal, center = fit.inertia, fit.principal, fit.center
         axes = fit.principal_axes
         named = [Answer("", None, "", f"axis {k + 1}", "", None if axes is None else
-                        ", ".join(f"{x:+.4f}" for x in axes[:, k])) for k in range(3)]  # fmt: skip
+                        ", ".join(f"{x:+.4f}" for x in axes[:, k])) for k in range(3)]
         return Group("Tensor and centre of mass", [
             Answer("inertia", None if inertia is None else values(inertia), "kg m²", "Jxx, Jyy, Jzz, Jxy, Jxz, Jyz",
                    "given axes", None if inertia is None else _words(inertia)),
@@ -153,16 +153,16 @@ class PendulumReport(StudyReport):
             Answer("unphysical", fit.unphysical, "kg m²"),
             Answer("center", None if center is None else values(center), "m", "centre of mass", "on the pivots' scale",
                    None if center is None else f"{_words(center)} m on the pivots' scale"),
-        ])  # fmt: skip
+        ])
 
     def _quality(self) -> Group:
         fit, probability = self.fit, self.probability
         words = "nothing is left to check" if probability is None else (
-            f"{fit.misfit:.4g}, {fit.freedom} expected; probability {probability:.2g}")  # fmt: skip
+            f"{fit.misfit:.4g}, {fit.freedom} expected; probability {probability:.2g}")
         return Group("Fit", [
             Answer("misfit", fit.misfit if fit.freedom else None, "", "misfit χ²", "", words),
             Answer("freedom", fit.freedom), Answer("probability", probability),
-        ])  # fmt: skip
+        ])
 
     def _swings(self) -> Table:
         fit, measured = self.fit, self.measured
@@ -171,7 +171,7 @@ class PendulumReport(StudyReport):
             "pendulum": measured.kinds[k], "axis": list(swing.axis), "period": swing.period.value,
             "period_error": swing.period.error, "timings": measured.timings[k], "amplitude": swing.amplitude,
             "moment": float(fit.moments.value[k]), "standard_error": float(errors[k]),
-        } for k, swing in enumerate(measured.swings)]  # fmt: skip
+        } for k, swing in enumerate(measured.swings)]
         columns = {
             "pendulum": lambda row: row["pendulum"],
             "axis": lambda row: _axis(row["axis"]),
@@ -186,7 +186,7 @@ class PendulumReport(StudyReport):
 
 def _words(estimate: Estimate) -> str:
     return ", ".join(uncertain(value, error, "", 2)
-                     for value, error in zip(estimate.value, estimate.standard_error, strict=True))  # fmt: skip
+                     for value, error in zip(estimate.value, estimate.standard_error, strict=True))
 
 
 def _axis(axis: Any) -> str:

@@ -183,13 +183,13 @@ def read_swings(path: Path) -> Measurements:
     swings = [build.swing(keys, swing) for swing, keys in every]
     counts = [len(swing.periods) for swing in file.swing]
     return Measurements(file.name or path.stem, file.mass, file.gravity, swings, [keys["kind"] for keys in merged],
-                        counts, _list_exact(file.mass, merged))  # fmt: skip
+                        counts, _list_exact(file.mass, merged))
 
 
 def _merge(shared: RigTable, own: SwingTable) -> dict[str, Any]:
     """Return the keys of a swing: its own, and those of all swings where it has none."""
     keys = {name: getattr(shared, name) if getattr(own, name) is None else getattr(own, name)
-            for name in RigTable.model_fields}  # fmt: skip
+            for name in RigTable.model_fields}
     return keys if own.jig is None else {**keys, "jig": _fill_jig(own.jig, keys)}
 
 
@@ -219,14 +219,14 @@ def _broken_rules(keys: dict[str, Any], swing: SwingTable, k: int) -> Iterator[M
     if kind == COMPOUND:
         if (keys[main] is None) == (keys[other] is None):
             yield place, ("needs distance, from the pivot to the body's centre of mass, or pivot, its place on a scale "
-                          "along a line through that, one of the two")  # fmt: skip
+                          "along a line through that, one of the two")
     else:
         yield from (((*place, name), f"is missing; a {kind} pendulum needs length and {main}")
-                    for name in ("length", main) if keys[name] is None)  # fmt: skip
+                    for name in ("length", main) if keys[name] is None)
     takes = {main, other, *(("length", "offset") if kind != COMPOUND else ())}
     sizes = {"length", "offset", *(name for both in SIZES.values() for name in both)}
     yield from (((*place, name), f"is not a size of a {kind} pendulum; leave it out")
-                for name in sorted(sizes - takes) if keys[name] is not None)  # fmt: skip
+                for name in sorted(sizes - takes) if keys[name] is not None)
     yield from (((*place, "periods"), fault) for fault in _faults(swing.periods))
     last, first = keys["last_amplitude"], keys["amplitude"] or 0.0
     if last is not None and not 0.0 < last <= first:
@@ -241,7 +241,7 @@ def _broken_rules(keys: dict[str, Any], swing: SwingTable, k: int) -> Iterator[M
         yield (*place, "jig", "last_amplitude"), "must be positive and at most the jig's amplitude"
     if (jig.distance is None) == (kind == COMPOUND):
         wanted = "needs distance, from the pivot to the jig's own centre of mass" if kind == COMPOUND else (
-            "goes without distance on filaments, where it hangs centred")  # fmt: skip
+            "goes without distance on filaments, where it hangs centred")
         yield (*place, "jig"), wanted
 
 
@@ -266,7 +266,7 @@ class _Builder:
         period = _mean(swing.periods, keys["turns"] or 1.0)
         made = None if jig is None else self._once(jig, lambda: _jig(jig))
         return Swing(swing.axis, rig, period, keys["amplitude"] or 0.0, keys["last_amplitude"], keys["turns"] or 1.0,
-                     made)  # fmt: skip
+                     made)
 
     def _once(self, source: Any, make: Callable[[], Any]) -> Any:
         if id(source) not in self.made:
@@ -278,7 +278,7 @@ def _jig(table: JigTable) -> Jig:
     turns = table.turns or 1.0
     period = None if table.periods is None else _mean(table.periods, turns)
     return Jig(table.mass, table.moment, period, table.amplitude or 0.0, table.distance or CENTRED,
-               table.last_amplitude, turns)  # fmt: skip
+               table.last_amplitude, turns)
 
 
 def _faults(timings: list[Measured]) -> Iterator[str]:
@@ -286,7 +286,7 @@ def _faults(timings: list[Measured]) -> Iterator[str]:
     for one in timings:
         if abs(one.value - middle) > LIMITS.max_deviation * middle and len(timings) > 2:
             yield (f"has {one.value:g} s among timings about {middle:g} s, and the same swing takes as long each time; "
-                   "correct it or leave it out")  # fmt: skip
+                   "correct it or leave it out")
     if not timings or any(one.error for one in timings):
         return
     like = 'give the error of a timing, like "23.10 ± 0.02 s"'

@@ -70,7 +70,7 @@ def inertia_matrix(entries: Float64[Array, "6"]) -> Float64[Array, "3 3"]:
 def linear_inertia(
     rates: list[Float64[Array, "n 3"]], attitudes: list[Float64[Array, "n 4"]],
     parts: Sequence[Sequence[Integer[Array, "..."]]] | None = None, rotor: bool = False,
-) -> LinearInertia:  # fmt: skip
+) -> LinearInertia:
     """Return moments and axes from one or several throws of one body.
 
     Args:

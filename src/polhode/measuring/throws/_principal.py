@@ -66,7 +66,7 @@ class Principal:
 def principal(
     parameters: Float64[Array, "p"], covariance: Float64[Array, "p p"], places: dict[str, slice],
     axes: Float64[Array, "3 3"], freedom: float,
-) -> Principal:  # fmt: skip
+) -> Principal:
     """Return moments ascending over the largest, with axes, forces and errors in their order.
 
     Args:

@@ -37,7 +37,7 @@ def why_nothing_explains(solution: Solution, throws: list[Throw]) -> str | None:
         return None
     left, size = rms(solution.residuals), variation(throws)
     return (f"no motion that was tried explains the rates: {left:.3g} rad/s of {size:.3g} rad/s are left. The rates "
-            "may be of another unit, like deg/s, or the stretch no free flight.")  # fmt: skip
+            "may be of another unit, like deg/s, or the stretch no free flight.")
 
 
 def why_no_result(solution: Solution, inertia: Principal, throws: list[Throw]) -> str | None:
@@ -51,7 +51,7 @@ def why_no_result(solution: Solution, inertia: Principal, throws: list[Throw]) -
     bound = find_bound(solution)
     if bound is not None:
         return (f"the fit ended at a bound of the {CALLED[bound]}, where no body is: the motion is another one than "
-                "those that were tried, or the stretch is no free flight.")  # fmt: skip
+                "those that were tried, or the stretch is no free flight.")
     far = _doubt_expectations(solution)
     if far is not None:
         return far
@@ -74,7 +74,7 @@ def _doubt_expectations(solution: Solution) -> str | None:
             value = solution.parameters[place][k]
             return (f"the fit needs a {what} of {value:.3g}{unit}, and {means[at][k]:.3g} ± {spread[at][k]:.2g} was "
                     "known beforehand: the motion is another one than those that were tried, the rates are of another "
-                    "unit, or the stretch is no free flight.")  # fmt: skip
+                    "unit, or the stretch is no free flight.")
     return None
 
 
@@ -89,7 +89,7 @@ def _doubt_drag(inertia: Principal, throws: list[Throw]) -> str | None:
             variance += (scale * inertia.forces[name].standard_error) ** 2
     if (least < -np.maximum(LIMITS.max_driving_torque, LIMITS.max_errors * np.sqrt(variance))).any():
         return (f"the fit needs air that accelerates the body, not slows it, by {-least.min():.2g} I3 |ω|²: the "
-                "motion is another one than those that were tried, or the stretch is no free flight.")  # fmt: skip
+                "motion is another one than those that were tried, or the stretch is no free flight.")
     return None
 
 
@@ -98,11 +98,11 @@ def why_impossible(inertia: Principal) -> str | None:
     for name, (low, high) in zip(inertia.ratios.names, inertia.ratios.interval().tolist(), strict=True):
         if low <= 0.0:
             return (f"the interval of {name}, {low:.2g} to {high:.2g}, reaches zero, which no moment is. Throw it "
-                    "longer, or with more tumble.")  # fmt: skip
+                    "longer, or with more tumble.")
     flat = float(inertia.ratios.value.sum() - 1.0)
     error = float(np.sqrt(inertia.ratios.covariance.sum()))
     if flat < -LIMITS.max_errors * error:
         return (f"I1 + I2 would be less than I3 by {-flat:.2g} ± {error:.2g} of it, which no body is: the motion is "
-                "another one than those that were tried, or the stretch is no free flight.")  # fmt: skip
+                "another one than those that were tried, or the stretch is no free flight.")
     return None
 

@@ -309,7 +309,7 @@ def estimate_noise(residuals: Array, fast: Array, lost: float, latest: float) ->
 def fit_model(
     model: Model, x: Array, axes0: Array, throws: list[Throw], noise: tuple[float, float] | None,
     rounds: int = 6,
-) -> Solution:  # fmt: skip
+) -> Solution:
     """Return the robust least squares of a model from a start.
 
     Args:
@@ -348,7 +348,7 @@ def fit_model(
         model, x, axes, covariance, data - values, sigma, jitter, -0.5 * cost,
         cost + 2 * size * count / max(count - size - 1, 1), cost + size * np.log(count),
         float(max(count - size, 1)), converged,
-    )  # fmt: skip
+    )
 
 
 def turn_axes(model: Model, x: Array, axes0: Array) -> tuple[Float64[Array, "3 3"], Float64[Array, "p p"]]:
@@ -362,7 +362,7 @@ def turn_axes(model: Model, x: Array, axes0: Array) -> tuple[Float64[Array, "3 3
 def _descend(
     model: Model, x: Array, axes0: Array, throws: list[Throw], data: Array, noise: tuple[float, float],
     rounds: int,
-) -> tuple[Array, tuple[float, float], float, bool]:  # fmt: skip
+) -> tuple[Array, tuple[float, float], float, bool]:
     """Return parameters, noise, −2 ln(likelihood) and whether they converged, by least squares and noise in turn."""
     lost = model.size - 6 * model.gain
     cost = np.inf
@@ -373,7 +373,7 @@ def _descend(
             system.residuals, x, jac=system.jacobian, bounds=model.limits(),  # pyright: ignore[reportArgumentType]
             loss=system.loss,  # pyright: ignore[reportArgumentType]
             f_scale=LIMITS.max_quadratic_error, x_scale="jac", xtol=1e-9, ftol=1e-4, gtol=1e-12, max_nfev=25,
-        )  # fmt: skip
+        )
         x = done.x
         values, _, fast = predict_rates(model, x, axes0, throws)
         before = noise[0]

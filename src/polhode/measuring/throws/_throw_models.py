@@ -92,7 +92,7 @@ def integrate_forced(
             done = solve_ivp(
                 field, (0.0, wanted[-1] or 1e-9), begin.ravel(), method="DOP853", t_eval=wanted, rtol=tolerance,
                 atol=allowed,
-            )  # fmt: skip
+            )
         values = done.y.T if done.success else np.full((len(wanted), 3 * count), np.nan)
         out[side] = values[::-1] if wanted[-1] < 0 else values
     shaped = out.reshape(-1, count, 3)

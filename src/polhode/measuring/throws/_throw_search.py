@@ -94,11 +94,11 @@ class Start:
         reason = None
         if between > LIMITS.max_turn_per_sample:
             reason = (f"the rates say that the body turns by {between:.3g} rad from sample to sample, too far to be "
-                      "followed: the rates are of another unit, like deg/s, or the times are.")  # fmt: skip
+                      "followed: the rates are of another unit, like deg/s, or the times are.")
         elif max(_typical(r) for r in rates) > LIMITS.max_rate and estimate.moments[0] > LIMITS.max_roundness:
             reason = (f"the rates, about {max(_typical(r) for r in rates):.3g} rad/s, are beyond what gyros can tell, "
                       "and make the body nearly a sphere. Both happen where rates in deg/s are read as rad/s: give "
-                      "their unit.")  # fmt: skip
+                      "their unit.")
         elif turn < LIMITS.min_turn:
             reason = f"the body turned by {turn:.2g} rad only: nothing can be said of its inertia."
         elif estimate.singular_values[-2] < floor:
@@ -341,7 +341,7 @@ def _retry(model: Model, start: Start, throws: list[Throw]) -> Solution:
     one, two, three = np.linalg.svd(np.concatenate([throw.rates for throw in throws]), full_matrices=False)[2]
     starts = []
     for axes in (np.stack([three, one, np.cross(three, one)], axis=1), start.axes,
-                 np.stack([two, one, np.cross(two, one)], axis=1)):  # fmt: skip
+                 np.stack([two, one, np.cross(two, one)], axis=1)):
         for k, throw in enumerate(throws):
             begin[model.places[f"start {k}"]] = axes.T @ throw.rates[len(throw.rates) // 2]
         for shape in RESTARTS:

@@ -86,7 +86,7 @@ def allow_for_unmodelled(solution: Solution, throws: list[Throw]) -> Settled:
     done = replace(
         solution, parameters=x, axes=axes, covariance=covariance, residuals=data - values, freedom=mixed.freedom,
         sigma=solution.sigma * np.sqrt(scales.noise), jitter=solution.jitter * np.sqrt(scales.noise),
-    )  # fmt: skip
+    )
     return Settled(done, values, float(np.sqrt(np.mean(push**2))), scales.gain, scales.widened)
 
 

@@ -62,7 +62,7 @@ def weightless_stretches(log: GyroLog, shortest: float) -> list[Weightless]:
     if place is None:
         return []
     beyond = np.concatenate([np.linalg.norm(felt[part] - lever @ place, axis=1)
-                             for part, lever in _levers(log, t, 0)])  # fmt: skip
+                             for part, lever in _levers(log, t, 0)])
     inside = (t >= log.times[0]) & (t <= log.times[-1])
     stretches = []
     for first, last in _runs((beyond < LIMITS.max_acceleration) & inside, max(2, round(LIMITS.max_spike / step))):

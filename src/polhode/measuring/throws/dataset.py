@@ -53,7 +53,7 @@ def write_attitude_fit(fit: AttitudeFit, name: str, path: str | Path) -> Path:
             ("ratios", fit.ratios, "ratio", "1", "I1/I3 and I2/I3"),
             ("torque", fit.torque, "device_axis", "rad s-2", "constant torque over I3, along the device axes"),
             ("bias", fit.bias, "device_axis", "rad s-1", "bias of the rates"),
-        ])  # fmt: skip
+        ])
     header = {"Conventions": "CF-1.11", "source": "polhode", "title": f"inertia from attitudes of {name}"}
     return write_variables(path, variables, _coordinates(), header | _doubts(fit))
 
@@ -95,7 +95,7 @@ def _describe(fit: ThrowFit, names: Sequence[str]) -> tuple[dict[str, Any], dict
             ("linear_drag", fit.linear_drag, "axis", "s-1", "drag over I3, of the torque -b w"),
             ("one_sided_drag", fit.one_sided_drag, "axis", "1", "drag over I3, of the torque -d |w| abs(w)"),
             ("rotor", fit.rotor, "axis", "rad s-1", "momentum of a wheel in the body, over I3"),
-        ])  # fmt: skip
+        ])
     header = {"Conventions": "CF-1.11", "source": "polhode", "title": "inertia of a thrown body from gyro logs"}
     return variables, _coordinates(), header | _doubts(fit)
 

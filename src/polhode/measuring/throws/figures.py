@@ -74,7 +74,7 @@ def _attitude_residuals(fit: AttitudeFit) -> Figure:
     style.tidy(axes)
     handles, labels = axes.get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=3, fontsize=style.FONT - 1, frameon=False,
-                  title=f"residuals, {1e3 * fit.rms:.3g} mrad rms", title_fontsize=style.FONT - 1)  # fmt: skip
+                  title=f"residuals, {1e3 * fit.rms:.3g} mrad rms", title_fontsize=style.FONT - 1)
     return figure
 
 
@@ -96,11 +96,11 @@ def _data(fit: ThrowFit) -> Figure:
             if fit.degenerate is None:
                 axes.plot(throw.times, throw.predicted[:, k], color=colour, lw=0.9)
     handles = [panels[0].plot([], [], color=colour, lw=0.9, marker=".", label=rf"$\omega_{name}$")[0]
-               for name, colour in zip("xyz", style.AXIS_COLOURS, strict=True)]  # fmt: skip
+               for name, colour in zip("xyz", style.AXIS_COLOURS, strict=True)]
     panels[0].set_ylabel("angular velocity, device axes  [rad/s]")
     what = "dots measured, lines fitted" if fit.degenerate is None else "measured; no fit is determined"
     figure.legend(handles=handles, loc="outside upper center", ncols=3, fontsize=style.FONT - 1, frameon=False,
-                  title=what, title_fontsize=style.FONT - 1)  # fmt: skip
+                  title=what, title_fontsize=style.FONT - 1)
     return figure
 
 
@@ -114,7 +114,7 @@ def _residuals(fit: ThrowFit) -> Figure:
     panels[0].set_ylabel("measured − fitted  [mrad/s]")
     handles, labels = panels[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=3, fontsize=style.FONT - 1, frameon=False,
-                  title=f"residuals, {1e3 * fit.rms:.3g} mrad/s rms", title_fontsize=style.FONT - 1)  # fmt: skip
+                  title=f"residuals, {1e3 * fit.rms:.3g} mrad/s rms", title_fontsize=style.FONT - 1)
     return figure
 
 
@@ -139,13 +139,13 @@ def _polhode(fit: ThrowFit) -> Figure:
         for front in (False, True):
             shown_side = (depth >= 0.0) == front
             axes.plot(x[shown_side], y[shown_side], "o", ms=2.6, color=style.ORANGE, mec=style.DARK, mew=0.25,
-                      alpha=1.0 if front else 0.35, zorder=4 if front else 2)  # fmt: skip
+                      alpha=1.0 if front else 0.35, zorder=4 if front else 2)
     label_axes(axes, frame)
     handles = [axes.plot([], [], color=style.BLUE, lw=1.3, label="fitted polhode")[0],
                axes.plot([], [], "o", ms=2.6, color=style.ORANGE, mec=style.DARK, mew=0.25, label="samples")[0],
                axes.plot([], [], color=style.VERMILION, lw=0.8, label="separatrix")[0]]  # fmt: skip
     axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.01), ncols=3, fontsize=style.FONT - 1,
-                frameon=False)  # fmt: skip
+                frameon=False)
     axes.set_title("Momentum along the fitted principal axes", fontsize=style.FONT, color=style.DARK)
     return figure
 

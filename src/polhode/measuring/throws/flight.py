@@ -144,7 +144,7 @@ def _by_momentum(t: Array, rates: Array) -> tuple[list[Window], list[Window]]:
     left = [_window(t, one, f"{MOMENTUM}, by another inertia than the rest") for one in others]
     short = [one for one in stretches if one not in long]
     left += [_window(t, one, f"{MOMENTUM}, for less than {LIMITS.min_duration} s") for one in short
-             if of_one_body(t, rates, [*used, one])[1] == []]  # fmt: skip
+             if of_one_body(t, rates, [*used, one])[1] == []]
     return [_window(t, one, MOMENTUM) for one in used], left
 
 
@@ -152,13 +152,13 @@ def _by_weight(log: GyroLog, t: Array, rates: Array) -> tuple[list[Window], list
     clock = log.acceleration_times
     assert clock is not None
     windows = [Window(float(clock[one.first]), float(clock[one.last]), WEIGHTLESS, one.felt)
-             for one in weightless_stretches(log, LIMITS.min_duration_left_out)]  # fmt: skip
+             for one in weightless_stretches(log, LIMITS.min_duration_left_out)]
     used = [_trim(t, rates, window) for window in windows if window.end - window.start >= LIMITS.min_duration]
     left = [Window(one.start, one.end, f"{WEIGHTLESS}, for less than {LIMITS.min_duration} s", one.score)
-            for one in windows if one.end - one.start < LIMITS.min_duration]  # fmt: skip
+            for one in windows if one.end - one.start < LIMITS.min_duration]
     if not used:  # a device that turns on a bearing keeps a momentum too
         left += [Window(one.start, one.end, f"{MOMENTUM}, but the accelerometer feels weight", one.score)
-                 for one in _by_momentum(t, rates)[0]]  # fmt: skip
+                 for one in _by_momentum(t, rates)[0]]
     return used, left
 
 

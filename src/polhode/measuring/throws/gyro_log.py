@@ -62,7 +62,7 @@ class GyroLog:
 def clean_log(
     times: Real[ArrayLike, "n"], rates: Real[ArrayLike, "n 3"],
     acceleration_times: Real[ArrayLike, "m"] | None = None, acceleration: Real[ArrayLike, "m 3"] | None = None,
-) -> GyroLog:  # fmt: skip
+) -> GyroLog:
     """Return a log whose samples are finite and in the order of time.
 
     Rows with NaN are dropped samples and are left out; of samples of one time the first is kept; both are counted.
@@ -90,7 +90,7 @@ def clean_log(
     t, x, dropped, repeats, reordered, spread = _clean("rates", times, rates)
     if len(t) < LIMITS.min_samples:
         raise InvalidInput(f"a gyro log must have {LIMITS.min_samples} finite samples at different times; got "
-                           f"{len(t)}.")  # fmt: skip
+                           f"{len(t)}.")
     if (acceleration is None) != (acceleration_times is None):
         raise InvalidInput("acceleration and acceleration_times must be given together; got only one of them.")
     if acceleration is None or acceleration_times is None:
@@ -114,7 +114,7 @@ def check_sizes(**values: Array) -> None:
         largest = float(np.max(np.abs(numbers), initial=0.0))
         if largest > most:
             raise InvalidInput(f"{name} must be at most {most:g} {unit} in size; got {largest:g} {unit}. Check which "
-                               "columns of the log they are, and their unit.")  # fmt: skip
+                               "columns of the log they are, and their unit.")
 
 
 def _check_steps(name: str, steps: Float64[Array, "_"]) -> None:
@@ -122,7 +122,7 @@ def _check_steps(name: str, steps: Float64[Array, "_"]) -> None:
     usual = float(np.median(steps)) if len(steps) else LIMITS.min_step
     if usual < LIMITS.min_step:
         raise InvalidInput(f"times of {name} must lie {LIMITS.min_step:g} s apart or more; got {usual:g} s. Check "
-                           "which column has the times, and their unit.")  # fmt: skip
+                           "which column has the times, and their unit.")
 
 
 def _clean(name: str, times: ArrayLike, values: ArrayLike) -> tuple[Array, Array, int, int, bool, int]:

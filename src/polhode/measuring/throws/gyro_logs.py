@@ -25,7 +25,7 @@ from polhode.measuring.throws.gyro_dialects import (
     detect_dialect,
     find_places,
     time_place,
-)  # fmt: skip
+)
 from polhode.measuring.throws.gyro_log import GyroLog, clean_log
 from polhode.measuring.throws.log_archives import is_archive, unpack_log
 from polhode.types import Array
@@ -168,7 +168,7 @@ def _make_mapping(form: TableForm, dialect: GyroDialect, rate_unit: str | None) 
     return ColumnMapping(
         time + 1, time_unit=None if named[0] else dialect.time_unit, gyro=tuple(place + 1 for place in gyro),
         unit=rate_unit or (None if named[1] else dialect.rate_unit),
-    )  # fmt: skip
+    )
 
 
 def _acceleration(form: TableForm, dialect: GyroDialect, notes: list[str]) -> tuple[tuple[int, ...], float] | None:
@@ -180,7 +180,7 @@ def _acceleration(form: TableForm, dialect: GyroDialect, notes: list[str]) -> tu
     unit = acceleration_unit(form.names[places[0]], dialect)
     if unit is None:
         notes.append("accelerations are left out, as their unit is not known; have Betaflight's blackbox_decode write "
-                     "them by its option --unit-acceleration m/s2.")  # fmt: skip
+                     "them by its option --unit-acceleration m/s2.")
         return None
     return places, unit
 
@@ -218,8 +218,8 @@ def _remarks(log: GyroLog) -> list[str]:
         remarks.append(f"{log.repeats} samples come at a time that was there already; the first of each is kept.")
     if log.spread:
         remarks.append(f"the clock is rounded: {log.spread} samples come at a time that was there already, with other "
-                     "values; they are taken at equal steps.")  # fmt: skip
+                     "values; they are taken at equal steps.")
     if log.dropped:
         remarks.append(f"{log.dropped} lines without finite values are left out." if log.dropped > 1
-                       else "1 line without finite values is left out.")  # fmt: skip
+                       else "1 line without finite values is left out.")
     return remarks

@@ -16,12 +16,12 @@ def left_out_table(names: Sequence[str], flights: Sequence[Flights]) -> Table:
     rows: list[dict[str, Any]] = [
         {"log": name, "window": [one.start, one.end], "why": one.reason, "score": one.score}
         for name, per_log in zip(names, flights, strict=True) for one in per_log.left_out
-    ]  # fmt: skip
+    ]
     return Table("left_out", "Left out", {
         "log": lambda row: row["log"],
         "from – to": lambda row: f"{row['window'][0]:.4g} – {row['window'][1]:.4g} s",
         "why": lambda row: row["why"],
-    }, rows, {"window": "s"})  # fmt: skip
+    }, rows, {"window": "s"})
 
 
 def left_out_note(flights: Sequence[Flights]) -> list[str]:

@@ -70,13 +70,13 @@ def unpack_log(path: Path, wanted: Sequence[str], beside: Sequence[str]) -> Iter
                 log = _log_in(path, members, wanted)
                 inside = PurePosixPath(log.filename)
                 taken = [member for member in members if PurePosixPath(member.filename).name in beside
-                         and PurePosixPath(member.filename).parent == inside.parent and member is not log]  # fmt: skip
+                         and PurePosixPath(member.filename).parent == inside.parent and member is not log]
                 _check_sizes(path, [log, *taken])
                 for member in (log, *taken):
                     _take_out(archive, member, Path(place))
         # raised by zipfile and zlib for damaged, encrypted or unknown members, by the evidence of fuzzing
         except (zipfile.BadZipFile, RuntimeError, NotImplementedError, EOFError, ValueError, OSError,
-                zlib.error) as error:  # fmt: skip
+                zlib.error) as error:
             if isinstance(error, FormatError | InvalidInput):
                 raise
             raise FormatError(f"{path}: is not an archive that can be unpacked ({error}). {_UNPACK}") from None
@@ -93,7 +93,7 @@ def _check_directory(path: Path) -> None:
     begin = tail.rfind(_END)
     if begin < 0 or len(tail) < begin + end_size:
         raise FormatError(f"{path}: begins like a zip archive and does not end like one, so it is cut off. Save it "
-                          "again.")  # fmt: skip
+                          "again.")
     if int.from_bytes(tail[begin + 12 : begin + 16], "little") > LIMITS.max_directory:
         most = LIMITS.max_directory // MB
         raise FormatError(f"{path}: lists more members than a log has, over {most} MB of names. {_UNPACK}")
@@ -103,12 +103,12 @@ def _log_in(path: Path, members: Sequence[zipfile.ZipInfo], wanted: Sequence[str
     named = {name: [m for m in members if PurePosixPath(m.filename).name == name] for name in wanted}
     logs = next((each for each in named.values() if each), [])
     tables = [m for m in members if PurePosixPath(m.filename).suffix.lower() in TABLES
-              and not PurePosixPath(m.filename).name.startswith("._")]  # fmt: skip
+              and not PurePosixPath(m.filename).name.startswith("._")]
     logs = logs or (tables if len(tables) == 1 else [])
     if not logs:
         has = f"; its tables are {_name_all(tables)}" if tables else ""
         raise InvalidInput(f"{path}: has no {' or '.join(wanted)}{has}. Unpack it, and name the file with the angular "
-                           "velocities.")  # fmt: skip
+                           "velocities.")
     if len(logs) > 1:
         raise InvalidInput(f"{path}: has {len(logs)} logs, {_name_all(logs)}. Unpack it, and name those of one body.")
     return logs[0]
@@ -126,7 +126,7 @@ def _check_sizes(path: Path, members: Sequence[zipfile.ZipInfo]) -> None:
             raise FormatError(f"{path}: {member.filename} in it is packed by another method than deflate. {_UNPACK}")
         if member.file_size > max(LIMITS.min_dense, LIMITS.max_ratio * member.compress_size):
             raise FormatError(f"{path}: {member.filename} in it has {member.file_size // MB} MB packed into "
-                              f"{member.compress_size} bytes, which no log is. {_UNPACK}")  # fmt: skip
+                              f"{member.compress_size} bytes, which no log is. {_UNPACK}")
     if (total := sum(member.file_size for member in members)) > LIMITS.max_unpacked:
         most = LIMITS.max_unpacked // MB
         raise FormatError(f"{path}: its log has {total // MB:,} MB unpacked; {most:,} MB are taken at most. {_UNPACK}")

@@ -101,7 +101,7 @@ class ThrowReport(StudyReport):
         how = describe_turning(first.motion, first.times, fit.equal)
         if fit.rotor is not None:
             how = ("a wheel seems to turn in the body" if is_wheel_sure(fit) else
-                   "something small acts across its axes, as air does")  # fmt: skip
+                   "something small acts across its axes, as air does")
         return f"{what}: {said}; {how}, residuals {fit.rms:.2g} rad/s rms."
 
     @property
@@ -130,7 +130,7 @@ class ThrowReport(StudyReport):
                 notes.append("the criterion hardly prefers the chosen model to the next one; see the table of models.")
             if fit.gain is None and fit.misfit is None:
                 notes.append("no gains were fitted, so the intervals hold for a calibrated gyro: a gain or cross-axis "
-                             "sensitivity of 1 % moves the ratios by about as much.")  # fmt: skip
+                             "sensitivity of 1 % moves the ratios by about as much.")
         return [*notes, *left_out_note(self.flights)]
 
     def figures(self) -> Mapping[str, Callable[[], Figure | None]]:
@@ -161,41 +161,41 @@ def _doubts(fit: ThrowFit) -> list[str]:
     if fit.rotor is not None:
         size = float(np.linalg.norm(fit.rotor.value))
         of_body = ("The moments are of the body with the wheel; where no motor keeps its speed, without the wheel's "
-                   "own moment about its axis.")  # fmt: skip
+                   "own moment about its axis.")
         if is_wheel_sure(fit):
             notes.append(f"the rates indicate a wheel that turns in the body: its momentum is {size:.3g} rad/s of the "
-                         f"largest moment. {of_body}")  # fmt: skip
+                         f"largest moment. {of_body}")
         else:
             notes.append(f"the model with a wheel of {size:.2g} rad/s of the largest moment does best, but air on a "
                          "body that is not symmetric or wrong gains may do the same: the log does not tell which. "
-                         f"With a wheel: {of_body[0].lower()}{of_body[1:]}")  # fmt: skip
+                         f"With a wheel: {of_body[0].lower()}{of_body[1:]}")
     if fit.with_or_without:
         notes.append("the log hardly distinguishes a body with a wheel from one without: the intervals cover both. "
-                     "Choose by `rotor=True` or `rotor=False`.")  # fmt: skip
+                     "Choose by `rotor=True` or `rotor=False`.")
     size = float(np.abs(fit.bias.value).max())
     if size > LIMITS.large_bias and fit.rest is None:
         notes.append(f"the bias is large, {size:.2g} rad/s, and no rest in the log confirms it: it may stand for "
                      "something that the motion does not explain, and the ratios may be wrong by more than their "
-                     "intervals. Let the device lie still for a second before and after the throw.")  # fmt: skip
+                     "intervals. Let the device lie still for a second before and after the throw.")
     elif fit.rest is None:
         notes.append("no rest was found in the log, so that the bias was assumed to be "
                      f"0 ± {FIT_LIMITS.bias_spread:.2g} rad/s "
                      "along each axis: with a larger one the bias and its errors are wrong, and so may the ratios be. "
-                     "Let the device lie still for a second before and after the throw.")  # fmt: skip
+                     "Let the device lie still for a second before and after the throw.")
     if fit.beside_wheel is not None and fit.ratios is not None and not fit.with_or_without:
         both = np.stack([fit.beside_wheel, fit.ratios.standard_error])
         if (both[0] > LIMITS.wheel_error_ratio * both[1]).any():
             first, second = (f"{error:.2g}" for error in both[0])
             notes.append("it is assumed that no wheel turns in the body. If one does, the intervals are too narrow: "
                          f"the log then determines I1/I3 only to ± {first} and I2/I3 to ± {second}. A longer throw, or "
-                         "one with more tumble, distinguishes the two.")  # fmt: skip
+                         "one with more tumble, distinguishes the two.")
     if fit.unmodelled > LIMITS.large_torque:
         notes.append(f"a torque of about {fit.unmodelled:.2g} I3 |ω|² acts that no model has; the intervals allow "
-                     "for it.")  # fmt: skip
+                     "for it.")
     if fit.gain is not None and fit.gain_spread > LIMITS.gain_ratio * GAIN_SPREAD:
         compared = " Fit each throw alone and compare." if len(fit.throws) > 1 else ""
         notes.append(f"the gyro's gains are off by about {100 * fit.gain_spread:.2g} %, more than expected, or "
-                     f"stand for what no model has, like air across axes: errors include it.{compared}")  # fmt: skip
+                     f"stand for what no model has, like air across axes: errors include it.{compared}")
     return notes
 
 
@@ -226,7 +226,7 @@ def _gyro(fit: ThrowFit) -> Group:
                "torque over I3 |ω|² that no model has, rms; intervals allow for it"),
         Answer("widened", fit.widened if noisy else None, "", "",
                "factor on the variances of the noise, because neighbouring residuals are alike"),
-    ])  # fmt: skip
+    ])
 
 
 def _bias_in_words(fit: ThrowFit) -> str:
@@ -235,7 +235,7 @@ def _bias_in_words(fit: ThrowFit) -> str:
 
 
 def _describe_torque(key: str, estimate: Estimate | None, unit: str, label: str, torque: str, words: str | None = None
-               ) -> Answer:  # fmt: skip
+               ) -> Answer:
     if estimate is None:
         return Answer(key, None, unit, label if words else "", "", words)
     about = f"of the torque {torque} along the principal axes; null where there is none"
@@ -261,7 +261,7 @@ def _quality(fit: ThrowFit) -> Group:
         Answer("window", [first.window.start, first.window.end], "s", "free flight", "of the first throw",
                f"{first.window.start:.6g} to {first.window.end:.6g} s, {how}"),
         Answer("regime", first.regime, "", "", "of the first throw"),
-    ])  # fmt: skip
+    ])
 
 
 def _throws(fit: ThrowFit, names: Sequence[str]) -> Table:
@@ -273,7 +273,7 @@ def _throws(fit: ThrowFit, names: Sequence[str]) -> Table:
             "found_by": throw.window.reason, "samples": len(throw.times), "regime": throw.regime,
             "period": None if motion is None else motion.period,
             "fastest": float(np.linalg.norm(throw.rates, axis=1).max()),
-        })  # fmt: skip
+        })
     return Table("throws", "Throws", {
         "log": lambda row: row["log"],
         "from – to": lambda row: f"{row['window'][0]:.4g} – {row['window'][1]:.4g} s",
@@ -281,13 +281,13 @@ def _throws(fit: ThrowFit, names: Sequence[str]) -> Table:
         "motion": lambda row: row["regime"] or "–",
         "polhode period": lambda row: f"{row['period']:.4g} s" if row["period"] and np.isfinite(row["period"]) else "–",
         "up to": lambda row: f"{row['fastest']:.3g} rad/s",
-    }, rows, {"window": "s", "period": "s", "fastest": "rad/s"})  # fmt: skip
+    }, rows, {"window": "s", "period": "s", "fastest": "rad/s"})
 
 
 def _models(fit: ThrowFit) -> Table:
     least = min((score.aicc for score in fit.criterion), default=0.0)
     rows = [{"drag": s.drag, "rotor": s.rotor, "gain": s.gain, "parameters": s.parameters, "aicc": s.aicc,
-             "bic": s.bic, "rms": s.rms, "chosen": s.chosen} for s in fit.criterion]  # fmt: skip
+             "bic": s.bic, "rms": s.rms, "chosen": s.chosen} for s in fit.criterion]
     return Table("models", "Models, by Akaike's corrected criterion", {
         "model": lambda row: ("bias" + (", gains" if row["gain"] else "") + (", a wheel" if row["rotor"] else "")
                               + ("" if row["drag"] == "none" else f", {row['drag']} drag")),
@@ -295,7 +295,7 @@ def _models(fit: ThrowFit) -> Table:
         "AICc above the least": lambda row: f"{row['aicc'] - least:.1f}",
         "residuals": lambda row: f"{row['rms']:.3g} rad/s",
         "": lambda row: "chosen" if row["chosen"] else "",
-    }, rows, {"rms": "rad/s"})  # fmt: skip
+    }, rows, {"rms": "rad/s"})
 
 
 def _logs(names: Sequence[str], logs: Sequence[ReadLog]) -> Table:
@@ -306,7 +306,7 @@ def _logs(names: Sequence[str], logs: Sequence[ReadLog]) -> Table:
             "file": name, "header_of": read.dialect, "samples": len(log.times), "first": float(log.times[0]),
             "last": float(log.times[-1]), "usual_step": float(np.median(np.diff(log.times))), "unit": read.rate_unit,
             "acceleration_from": read.acceleration_from, "dropped": log.dropped, "repeated": log.repeats,
-        })  # fmt: skip
+        })
     return Table("logs", "Logs", {
         "log": lambda row: row["file"],
         "header of": lambda row: row["header_of"],
@@ -314,7 +314,7 @@ def _logs(names: Sequence[str], logs: Sequence[ReadLog]) -> Table:
         "rate": lambda row: f"{1.0 / row['usual_step']:.4g} Hz",
         "unit": lambda row: row["unit"],
         "accelerations": lambda row: row["acceleration_from"] or "none",
-    }, rows, {"first": "s", "last": "s", "usual_step": "s"})  # fmt: skip
+    }, rows, {"first": "s", "last": "s", "usual_step": "s"})
 
 
 def _of_sensor(rate: float) -> str:

@@ -74,7 +74,7 @@ def _fit_attitudes(path: Path, kind: str, options: FitOptions) -> AttitudeReport
     windows = [_window(span) for span in options.windows]
     if len(windows) > 1:
         raise InvalidInput(f"`windows` must be given once at most for a log of attitudes; got "
-                           f"{len(windows)}.")  # fmt: skip
+                           f"{len(windows)}.")
     known = read_scale(options.moment, options.mass, options.added_weight, bool(options.weighted))
     trajectory = load_source(path, Kernels(), options.table, kind).trajectory
     times, attitude = np.asarray(trajectory.times), np.asarray(trajectory.attitude)
@@ -120,7 +120,7 @@ def _fit_throws(paths: Sequence[Path], options: FitOptions, progress: Progress |
 
 def _flights(
     spans: Sequence[str | tuple[float, float]], names: Sequence[str], logs: Sequence[ReadLog], clip: float | None
-) -> list[Flights]:  # fmt: skip
+) -> list[Flights]:
     """Return the stretches of each log to fit: the given windows, else all that ``find_flights`` detects."""
     if spans:
         return [Flights(windows, []) for windows in _windows(spans, len(logs))]
@@ -130,7 +130,7 @@ def _flights(
         raise InvalidInput(f"{', '.join(names)}: has no free flight: no stretch of "
                            f"{FLIGHT_LIMITS.min_duration} s feels no weight, or keeps an angular momentum while it "
                            f"turns faster than 1 rad/s.{left} If there is one, say where by `windows=[(start, "
-                           "end)]`.")  # fmt: skip
+                           "end)]`.")
     for read, each in zip(logs, flights, strict=True):
         if not (each.windows or each.left_out):
             each.left_out.append(Window(float(read.log.times[0]), float(read.log.times[-1]), "no free flight in it"))
@@ -144,15 +144,15 @@ def _windows(spans: Sequence[str | tuple[float, float]], logs: int) -> list[list
         return [windows]
     if len(windows) != logs:
         raise InvalidInput(f"`windows` must be given once for each log, in their order: {logs} logs, and "
-                           f"{len(windows)} windows.")  # fmt: skip
+                           f"{len(windows)} windows.")
     return [[window] for window in windows]
 
 
 def _window(span: str | tuple[float, float]) -> Window:
     try:
         start, end = (read_number(part) if isinstance(part, str) else float(part)
-                      for part in (span.split(",") if isinstance(span, str) else span))  # fmt: skip
+                      for part in (span.split(",") if isinstance(span, str) else span))
     except (TypeError, ValueError):
         raise InvalidInput(f"`windows` must be two times in seconds with a comma, like 1.2,1.9; got "
-                           f"{shown(span)}.") from None  # fmt: skip
+                           f"{shown(span)}.") from None
     return Window(start, end)

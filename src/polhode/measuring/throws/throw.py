@@ -177,7 +177,7 @@ class ThrowFit:
 def fit_throw(
     logs: GyroLog | Sequence[GyroLog], windows: Sequence[Sequence[Window]] | None = None, drag: bool | str = "auto",
     gain: bool | str = True, clip: float | None = None, gain_spread: float = GAIN_SPREAD, rotor: bool | str = "auto",
-) -> ThrowFit:  # fmt: skip
+) -> ThrowFit:
     """Fit the inertia of one body to gyro logs of its free throws.
 
     The start is linear: R J ω is constant in space, R from the gyro itself. Then comes a robust least squares on the
@@ -217,7 +217,7 @@ def fit_throw(
     every = [logs] if isinstance(logs, GyroLog) else list(logs) if isinstance(logs, Iterable) else []
     if not every or not all(isinstance(log, GyroLog) for log in every):
         raise InvalidInput(f"`logs` must be a GyroLog or a list of them; got {shown(logs)}. Read files with "
-                           "`polhode.measuring.read_gyro_log`, or make one by `clean_log`.")  # fmt: skip
+                           "`polhode.measuring.read_gyro_log`, or make one by `clean_log`.")
     for name, value in (("drag", drag), ("gain", gain), ("rotor", rotor)):
         _check_choice(name, value)
     if not (np.isfinite(gain_spread) and gain_spread > 0):
@@ -247,7 +247,7 @@ def fit_throw(
 
 def _scores(tried: list[Solution]) -> list[ModelScore]:
     return [ModelScore(s.model.air, s.model.rotor, s.model.gain, s.model.size, s.aicc, s.bic, rms(s.residuals),
-                       s is tried[0]) for s in tried if np.isfinite(s.aicc)]  # fmt: skip
+                       s is tried[0]) for s in tried if np.isfinite(s.aicc)]
 
 
 def _check_choice(name: str, value: bool | str) -> None:
@@ -281,7 +281,7 @@ def _cut(log: GyroLog, window: Window, level: float | None) -> tuple[Array, Thro
     times, rates = log.times[use], log.rates[use]
     if len(times) < LOG_LIMITS.min_samples:
         raise InvalidInput(f"a throw must have {LOG_LIMITS.min_samples} samples that are not saturated; got "
-                           f"{len(times)}. Throw more slowly, or give a longer window.")  # fmt: skip
+                           f"{len(times)}. Throw more slowly, or give a longer window.")
     epoch = float(times[len(times) // 2])
     return times, Throw(times - epoch, rates, epoch)
 
@@ -296,7 +296,7 @@ def _part(solution: Solution, group: str, names: tuple[str, ...]) -> Estimate | 
 def _result(
     done: Settled, other: Settled | None, rest: RestBias | None, scores: list[ModelScore], cut: list[Any],
     start: Start, level: float | None,
-) -> ThrowFit:  # fmt: skip
+) -> ThrowFit:
     """Return the fit; where models with and without a wheel do about as well, the errors cover both."""
     best, throws = done.solution, [throw for *_, throw in cut]
     inertia = _principal(best)
@@ -307,7 +307,7 @@ def _result(
         return replace(_make_empty_fit(cut, start, level), criterion=scores, degenerate=reason)
     parts = np.split(done.predicted, np.cumsum([len(throw.rates) for throw in throws])[:-1])
     fitted = [FittedThrow(k, window, times, throw.rates, part, *_motion(inertia, best, i, throw))
-            for i, ((k, window, times, throw), part) in enumerate(zip(cut, parts, strict=True))]  # fmt: skip
+            for i, ((k, window, times, throw), part) in enumerate(zip(cut, parts, strict=True))]
     misfit = _find_misfit(fitted, scores)
     at_rest = None if rest is None else Estimate(BIAS, rest.value, np.diag(rest.spread**2))
     return ThrowFit(
@@ -317,7 +317,7 @@ def _result(
         widened=done.widened, criterion=scores, with_or_without=other is not None, throws=fitted,
         residuals=best.residuals, rms=rms(best.residuals),
         sigma=best.sigma, jitter=best.jitter, degenerate=None, singular_values=start.singular_values, clip=level,
-    )  # fmt: skip
+    )
 
 
 def _estimates(best: Solution, inertia: Principal, misfit: Misfit | None) -> dict[str, Any]:
@@ -340,7 +340,7 @@ def _find_misfit(fitted: list[FittedThrow], scores: list[ModelScore]) -> Misfit 
     if test.is_noise:
         return None
     tried = (("air",) if any(score.drag != "none" for score in scores) else ()) + (
-        ("wheel",) if any(score.rotor for score in scores) else ())  # fmt: skip
+        ("wheel",) if any(score.rotor for score in scores) else ())
     return Misfit(test, tried)
 
 
@@ -366,7 +366,7 @@ def _motion(inertia: Principal, best: Solution, k: int, throw: Throw) -> tuple[F
 def _make_empty_fit(cut: list[Any], start: Start, level: float | None) -> ThrowFit:
     """Return the result for throws that do not determine the inertia."""
     fitted = [FittedThrow(k, window, times, throw.rates, np.full_like(throw.rates, np.nan), None, None)
-            for k, window, times, throw in cut]  # fmt: skip
+            for k, window, times, throw in cut]
     unknown = Estimate(BIAS, np.full(3, np.nan), np.full((3, 3), np.nan))
     return ThrowFit(
         ratios=None, axes=None, axes_error=None, joint=None, equal=None, bias=unknown, rest=None, gain=None,
@@ -374,4 +374,4 @@ def _make_empty_fit(cut: list[Any], start: Start, level: float | None) -> ThrowF
         beside_wheel=None, unmodelled=float("nan"), widened=1.0, criterion=[], with_or_without=False, throws=fitted,
         residuals=np.empty((0, 3)), rms=float("nan"), sigma=start.noise, jitter=0.0, degenerate=start.degenerate,
         misfit=None, singular_values=start.singular_values, clip=level,
-    )  # fmt: skip
+    )

@@ -52,7 +52,7 @@ def enclose_free_motion(start: MotionStart, digits: int) -> FreeEnclosure:
         verdicts=body.verdicts, verdict=body.verdict, _body=body, energy=kept["energy"],
         momentum_norm=kept["momentum_norm"], momentum_square=kept["momentum_square"],
         **{name: moving.get(name) for name in names},
-    )  # fmt: skip
+    )
 
 
 class FreeBody(ExactBody):

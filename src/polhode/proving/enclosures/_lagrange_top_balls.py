@@ -33,7 +33,7 @@ def enclose_top_motion(start: MotionStart, digits: int) -> TopEnclosure:
         verdicts=top.verdicts, verdict=top.verdict, _body=top, energy=kept["energy"],
         vertical_momentum=kept["vertical_momentum"], axial_momentum=kept["axial_momentum"],
         **{name: moving.get(name) for name in names},
-    )  # fmt: skip
+    )
 
 
 class LagrangeTop(ExactBody):

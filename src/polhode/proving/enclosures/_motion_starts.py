@@ -99,7 +99,7 @@ def exact_start(motion: AbstractMotion, exact: Mapping[str, Any] | None) -> Moti
         quaternion = rotation.from_matrix(np.asarray(motion.axes))
         axes = exact_rationals("axes", quaternion.tolist(), 4)
     return MotionStart(numbers["moments"], numbers["momentum"], numbers["attitude"], numbers["epoch"][0],
-                       {name: numbers[name][0] for name in plain.body_numbers}, axes, taken)  # fmt: skip
+                       {name: numbers[name][0] for name in plain.body_numbers}, axes, taken)
 
 
 def _check_exact(exact: Mapping[str, Any] | None, doubles: dict[str, list[Rational]]) -> dict[str, list[Rational]]:
@@ -108,7 +108,7 @@ def _check_exact(exact: Mapping[str, Any] | None, doubles: dict[str, list[Ration
     names = [*doubles, "angular_velocity"]
     if not isinstance(exact, Mapping) or not set(exact) <= set(names) or {"momentum", "angular_velocity"} <= set(exact):
         raise InvalidInput(f"`exact` must be exact numbers by the names of what the motion was made of, some of "
-                           f"{', '.join(names)}, one of the last and momentum; got {shown(exact)}.")  # fmt: skip
+                           f"{', '.join(names)}, one of the last and momentum; got {shown(exact)}.")
     sizes = {name: len(value) for name, value in doubles.items()} | {"angular_velocity": 3}
     rationals = {name: exact_rationals(f"exact[{name}]", value, sizes[name]) for name, value in exact.items()}
     if (velocity := rationals.pop("angular_velocity", None)) is not None:
@@ -126,7 +126,7 @@ def _check_near(name: str, given: list[Rational], doubles: np.ndarray) -> None:
     if not (np.abs(nearest - doubles) <= LIMITS.max_rounding * np.abs(doubles).max()).all():
         raise InvalidInput(f"`exact[{name}]` must be the numbers that the motion was made of, to the last digit of "
                            f"doubles; got {nearest.tolist()} in place of {doubles.tolist()}. Give them along the "
-                           "principal axes, in the order of `moments`.")  # fmt: skip
+                           "principal axes, in the order of `moments`.")
 
 
 def refine_named(compute: Callable[[], dict[str, Wanted]], digits: int) -> dict[str, EnclosedNumber]:

@@ -128,7 +128,7 @@ class BallSystem:
         """Return the Taylor coefficients (n, order + 1) of the motion from a point."""
         z: list[list[Ball]] = [[x] for x in self._nodes(y, parameters, self._of_rates)]
         moving = [(place, self._tape.nodes[place - self._tape.size]) for place in self._of_rates
-                  if not self._still[place]]  # fmt: skip
+                  if not self._still[place]]
         for k in range(order):
             for i in range(self.size):
                 x = self._rates[i]

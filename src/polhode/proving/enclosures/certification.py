@@ -53,12 +53,12 @@ def certify(
 def certify(
     system: AbstractSystem, state: Real[ArrayLike, "..."], times: Real[ArrayLike, "time"], radius: float | None = None,
     other: AbstractSystem | None = None, state_radii: Real[ArrayLike, "..."] | None = None,
-) -> Enclosure: ...  # fmt: skip
+) -> Enclosure: ...
 @known_numbers_only
 def certify(
     system: Any, state: Any = None, times: Any = None, radius: float | None = None, other: Any = None,
     state_radii: Any = None, *, digits: int | None = None, exact: Mapping[str, Any] | None = None,
-) -> Any:  # fmt: skip
+) -> Any:
     """Return proved enclosures of a motion from an exact start: no rounding, truncation or growth is left out.
 
     **A motion in closed form** (``FreeMotion``, ``LagrangeMotion``): ``certify(motion, digits=25)``. Its numbers are
@@ -121,14 +121,14 @@ def certify(
     of_motions = {"digits": digits, "exact": exact}
     if enclose is not None:
         _refuse(of_systems, f"a system's; a {type(system).__name__} has its own start, and `state(t)` of the result "
-                            "takes any time")  # fmt: skip
+                            "takes any time")
         import_flint()
         digits = check_digits(25 if digits is None else digits)
         return enclose(exact_start(system, exact), digits)
     if isinstance(system, AbstractMotion):
         classes = ", ".join(kind.__name__ for kind in IN_CLOSED_FORM)
         raise InvalidInput(f"`system` must be a system, or a motion in closed form of a class that has enclosures, "
-                           f"{classes}; got {shown(system)}.")  # fmt: skip
+                           f"{classes}; got {shown(system)}.")
     _refuse(of_motions, "a motion's in closed form; of a system give `radius`")
     from polhode.systems.base import AbstractSystem
 
@@ -136,7 +136,7 @@ def certify(
         raise InvalidInput(f"`system` must be a system, or a motion in closed form; got {shown(system)}.")
     if state is None or times is None:
         raise InvalidInput(f"`state` and `times` must be given for a system, here {shown(type(system).__name__)}: "
-                           "only a motion in closed form has its own start.")  # fmt: skip
+                           "only a motion in closed form has its own start.")
     from polhode.proving.enclosures.enclosure import enclose_by_series
 
     return enclose_by_series(system, state, times, 1e-15 if radius is None else radius, other, state_radii)

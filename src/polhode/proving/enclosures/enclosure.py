@@ -64,7 +64,7 @@ class Enclosure(NamedTuple):
 def enclose_by_series(
     system: AbstractSystem, state: Real[ArrayLike, "..."], times: Real[ArrayLike, "time"], radius: float,
     other: AbstractSystem | None, state_radii: Real[ArrayLike, "..."] | None,
-) -> Enclosure:  # fmt: skip
+) -> Enclosure:
     """Return enclosures of a system's motion; ``certify`` says what the arguments are."""
     start, times = _check_arguments(system, state, times, radius)
     flint = import_flint()
@@ -103,7 +103,7 @@ class _Proof:
     def __init__(
         self, flint: Any, balls: BallSystem, start: tuple[Array, Array], numbers: tuple[Array, Array],
         times: np.ndarray, weights: Array, order: int, bits: int,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.flint, self.balls, self.times = flint, balls, times
         self.order, self.bits = order, bits
         arb = flint.arb
@@ -149,7 +149,7 @@ class _Proof:
         form = self.balls.form
         radii = radii.reshape(len(radii), *form.shape, -1).max(axis=-1)
         return Enclosure(self.times, form.back(states), radii, self.balls.exact,
-                         float(self.growth.upper()), self.steps, self.order, self.bits)  # fmt: skip
+                         float(self.growth.upper()), self.steps, self.order, self.bits)
 
     def _bound(self, left: Ball) -> tuple[list[Ball], float]:
         """Return radii of a box in which the motion stays for all complex times in a disc, and the disc's radius.
@@ -253,7 +253,7 @@ class _Proof:
             slopes = self.balls.slopes(tube, self.around)
             half = [[(self.forth * (slopes[i][j] * self.weights[j] / self.weights[i]
                                     + slopes[j][i] * self.weights[i] / self.weights[j])) / 2
-                     for j in range(n)] for i in range(n)]  # fmt: skip
+                     for j in range(n)] for i in range(n)]
             if not all(x.is_finite() for row in half for x in row):
                 break
             # the logarithmic norm for |W⁻¹e|: the largest eigenvalue of the symmetric part of W⁻¹ J W

@@ -59,7 +59,7 @@ class MotionEnclosure:
             entries = [x for row in ball_turns.as_matrix(attitude) for x in row]
             unit = 1 + 0 * values.size
             return [Wanted(ball, size) for balls, size in ((attitude, unit), (vectors[0], values.size),
-                    (vectors[1], fastest), (entries, unit)) for ball in balls]  # fmt: skip
+                    (vectors[1], fastest), (entries, unit)) for ball in balls]
 
         extra = body.lost_bits(elapsed)
         numbers = tuple(EnclosedNumber(ball, self.digits) for ball in refine(compute, self.digits, extra))

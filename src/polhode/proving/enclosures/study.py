@@ -77,7 +77,7 @@ class CertifyReport(StudyReport):
         words = {name: IN_THE_FILE if how == GIVEN else how for name, how in self.enclosure.taken.items()}
         return Group("Numbers, exactly as", [
             Answer(f"taken.{name}", how, "", name.replace("_", " ")) for name, how in words.items() if name != "epoch"
-        ])  # fmt: skip
+        ])
 
     def _numbers(self) -> Group:
         enclosure = self.enclosure
@@ -88,7 +88,7 @@ class CertifyReport(StudyReport):
         if isinstance(enclosure, TopEnclosure):
             low, high = enclosure.nutation_limits
             answers += [*_enclosed("nutation_limits.lowest", low, "least cos of the tilt", ""),
-                        *_enclosed("nutation_limits.highest", high, "largest cos of the tilt", "")]  # fmt: skip
+                        *_enclosed("nutation_limits.highest", high, "largest cos of the tilt", "")]
         for name, label, unit in NUMBERS[type(enclosure)]:
             answers += _enclosed(name, getattr(enclosure, name), label, unit)
         return Group("Enclosures: the number lies in value ± radius", answers)
@@ -96,7 +96,7 @@ class CertifyReport(StudyReport):
     def _verdicts(self) -> Group:
         what = "spin about " if isinstance(self.enclosure, FreeEnclosure) else "axis "
         answers = [Answer(f"verdicts.{name.replace(' ', '_')}", verdict, "", f"{what}{name}")
-                   for name, verdict in self.enclosure.verdicts.items()]  # fmt: skip
+                   for name, verdict in self.enclosure.verdicts.items()]
         return Group("Stability, by comparison of exact numbers", [*answers, Answer("verdict", self.enclosure.verdict)])
 
     def _states(self) -> Table:
@@ -109,7 +109,7 @@ class CertifyReport(StudyReport):
             "at": lambda row: row["time"] if row["component"] == "w" else "",
             "": lambda row: row["component"],
             "value": lambda row: f"{row['decimals']} ± {row['radius']} {row['unit']}".rstrip(),
-        }, rows)  # fmt: skip
+        }, rows)
 
 
 def certify_report(path: Path, digits: int, at: Sequence[str]) -> CertifyReport:

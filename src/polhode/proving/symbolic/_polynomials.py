@@ -22,7 +22,7 @@ def to_terms(expression: Any, coordinates: Sequence[Any]) -> Terms:
     for powers, value in symbolic_terms(expression, coordinates).items():
         if not value.is_Rational:
             raise InvalidInput(f"the coefficient {shown(str(value))} must be a rational number. Put numbers in place "
-                               "of its symbols, as fractions.")  # fmt: skip
+                               "of its symbols, as fractions.")
         terms[powers] = Fraction(int(value.p), int(value.q))
     return terms
 
@@ -57,7 +57,7 @@ def from_terms(terms: dict[tuple[int, ...], Any], coordinates: Sequence[Any]) ->
 def bracket_terms(
     constants: Sequence[Sequence[dict[int, Any]]], sign: int, F: dict[tuple[int, ...], Any],
     G: dict[tuple[int, ...], Any],
-) -> dict[tuple[int, ...], Any]:  # fmt: skip
+) -> dict[tuple[int, ...], Any]:
     """Return {F, G} of polynomials as tables of terms.
 
     Args:

@@ -57,14 +57,14 @@ class LiePoissonBracket:
     def __init__(
         self, algebra: Any, coordinates: Sequence[Any] | None = None, sign: int = -1, parameters: Sequence[Any] = (),
         read_as: str = EXACT,
-    ) -> None:  # fmt: skip
+    ) -> None:
         if sign not in (-1, 1):
             raise InvalidInput(f"`sign` must be −1 (left-invariant) or +1 (right-invariant); got {shown(sign)}.")
         check_reading(read_as)
         self.sign, self.read_as = sign, read_as
         self.algebra: AbstractLieAlgebra | None = algebra if isinstance(algebra, AbstractLieAlgebra) else None
         self.constants = (_own_table(self.algebra, read_as) if self.algebra is not None
-                          else _given_table(algebra, read_as))  # fmt: skip
+                          else _given_table(algebra, read_as))
         self.coordinates = _symbols(coordinates, len(self.constants))
         self.parameters = _parameters(parameters, self.constants, self.coordinates)
 
@@ -94,7 +94,7 @@ class LiePoissonBracket:
     def tensor(self) -> Any:
         """The Poisson tensor π_ij = {x_i, x_j}, a SymPy matrix (dim, dim) linear in the coordinates."""
         return sympy.Matrix(self.dim, self.dim, lambda i, j: self.sign * sum(
-            c * x for c, x in zip(self.constants[i][j], self.coordinates, strict=True)))  # fmt: skip
+            c * x for c, x in zip(self.constants[i][j], self.coordinates, strict=True)))
 
     def __call__(self, F: Expression, G: Expression) -> Expression:
         """Return {F, G}, expanded."""
@@ -139,7 +139,7 @@ class LiePoissonBracket:
         """Return {x_i, Σ_j v_j x_j}, without the sign, which counts twice."""
         pairs = ((j, v) for j, v in enumerate(vector) if v != 0)
         return sum((v * c * x for j, v in pairs for c, x in zip(self.constants[i][j], self.coordinates, strict=True)),
-                   sympy.Integer(0))  # fmt: skip
+                   sympy.Integer(0))
 
     def is_casimir(self, C: Expression) -> bool:
         """Return whether {x_k, C} vanishes for every coordinate."""
@@ -170,7 +170,7 @@ class LiePoissonBracket:
                 "Put numbers in place of its symbols."
             )
         return [[{k: Fraction(int(c.p), int(c.q)) for k, c in enumerate(vector) if c != 0} for vector in row]
-                for row in self.constants]  # fmt: skip
+                for row in self.constants]
 
     def latex(self) -> str:
         """Return the brackets of coordinates that do not vanish, as LaTeX for a display."""
@@ -187,7 +187,7 @@ def _own_table(algebra: AbstractLieAlgebra, read_as: str) -> tuple[tuple[tuple[A
     brackets = rational_brackets(algebra, read_as)
     zero = sympy.Integer(0)
     number = {(i, j, k): sympy.Rational(c.numerator, c.denominator)
-              for i, row in enumerate(brackets) for j, vector in enumerate(row) for k, c in vector.items()}  # fmt: skip
+              for i, row in enumerate(brackets) for j, vector in enumerate(row) for k, c in vector.items()}
     size = range(algebra.dim)
     return tuple(tuple(tuple(number.get((i, j, k), zero) for k in size) for j in size) for i in size)
 
@@ -234,7 +234,7 @@ def name_symbols(expression: Expression, symbols: Sequence[Any]) -> Expression:
     foreign = expression.free_symbols - set(symbols)
     if unknown := sorted({str(s) for s in foreign} - set(known)):
         raise InvalidInput(f"symbols must be coordinates or declared parameters, here {', '.join(known)}; got "
-                           f"{shown(', '.join(unknown))}. Declare further ones by `parameters=`.")  # fmt: skip
+                           f"{shown(', '.join(unknown))}. Declare further ones by `parameters=`.")
     return expression.xreplace({s: known[str(s)] for s in foreign})
 
 
@@ -249,10 +249,10 @@ def _symbols(coordinates: Sequence[Any] | None, dim: int) -> tuple[Any, ...]:
 def _parameters(given: Sequence[Any], table: Any, coordinates: Sequence[Any]) -> tuple[Any, ...]:
     symbols = {s for row in table for vector in row for c in vector for s in c.free_symbols}
     declared = [x if isinstance(x, sympy.Symbol) else sympy.Symbol(str(x), real=True)
-                for x in ([given] if isinstance(given, str | sympy.Symbol) else given)]  # fmt: skip
+                for x in ([given] if isinstance(given, str | sympy.Symbol) else given)]
     symbols |= set(declared)
     names = [str(s) for s in (*coordinates, *symbols)]
     if twice := sorted({name for name in names if names.count(name) > 1}):
         raise InvalidInput(f"coordinates and parameters must have different names; got {shown(', '.join(twice))} "
-                           "twice. Rename one.")  # fmt: skip
+                           "twice. Rename one.")
     return tuple(sorted(symbols, key=str))

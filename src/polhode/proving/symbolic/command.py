@@ -28,7 +28,7 @@ def run_derive(name: str | None, form: str | None, out: Path | None) -> None:
         form = ENDINGS.get(out.suffix.lower())
         if form is None:
             raise InvalidInput(f"--out must end with {', '.join(ENDINGS)}, which selects the form; got "
-                               f"{shown(str(out))}. Or say it by --to.")  # fmt: skip
+                               f"{shown(str(out))}. Or say it by --to.")
     from polhode.proving.symbolic.registry import derive
 
     text = derive(name).render(form or "text")

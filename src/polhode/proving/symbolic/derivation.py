@@ -101,7 +101,7 @@ class Derivation:
     def _cases(self) -> list[_Case]:
         named = {str(s): s for s in self.system.parameters}
         return [_Case(sample, {named[k]: v for k, v in sample.items() if k in named}, self.numerical.make(sample))
-                for sample in self.numerical.samples]  # fmt: skip
+                for sample in self.numerical.samples]
 
     @property
     def _against(self) -> str:
@@ -127,7 +127,7 @@ class Derivation:
         triples = bracket.broken_triples()
         if triples:
             raise DerivationBroken(f"{text} Jacobi's identity fails for {next(iter(triples))}: the Jacobiator is "
-                                   f"{next(iter(triples.values()))}.")  # fmt: skip
+                                   f"{next(iter(triples.values()))}.")
         shown = [full.get((a, b), 0) for a in x for b in x]
         numbers = self._evaluate(shown, {})
         system = self._cases[0].system
@@ -135,7 +135,7 @@ class Derivation:
         self._near(text, "brackets", numbers, np.asarray(tensors).reshape(LIMITS.points, -1))
         self._add(text, (Equation(Bracket(a, b), v) for (a, b), v in stated.items()),
                   "computed from the structure constants, other pairs vanish, Jacobi's identity holds",
-                  f"equal to the Poisson tensor of {type(system.algebra).__name__}")  # fmt: skip
+                  f"equal to the Poisson tensor of {type(system.algebra).__name__}")
 
     def hamiltonian(self, text: str, name: Name | None = None) -> None:
         """Add the Hamiltonian; its numbers must be the numerical system's energy."""
@@ -143,7 +143,7 @@ class Derivation:
             off = self._evaluate([self.system.hamiltonian], values)[:, 0]
             self._near(text, "H", off, np.asarray(system.energy(self._states(system))))
         self._add(text, [Equation(name or Name("H", "H"), self.system.hamiltonian)],
-                  f"equal to the energy of {self._against}")  # fmt: skip
+                  f"equal to the energy of {self._against}")
 
     def equations(self, text: str, stated: Mapping[Any, Any]) -> None:
         """Add the equations of motion as stated; {x, H} and the numerical vector field must equal them."""
@@ -155,7 +155,7 @@ class Derivation:
             field = system.algebra.to_dual_vector(system.vector_field(0.0, self._states(system)))
             self._near(text, "rates", self._evaluate([stated[c] for c in x], values), np.asarray(field))
         self._add(text, (Equation(Rate(c), stated[c]) for c in x), "equal to the brackets with H",
-                  f"equal to the vector field of {self._against}")  # fmt: skip
+                  f"equal to the vector field of {self._against}")
 
     def casimirs(self, text: str, stated: Mapping[Name, Any], degree: int = 2) -> None:
         """Add the polynomial Casimirs up to a degree; none may be missing, and they must give the numerical ones."""
@@ -166,14 +166,14 @@ class Derivation:
         generators = bracket.casimirs(degree)
         if len(generators) != len(stated):
             raise DerivationBroken(f"{text} {len(stated)} Casimirs are stated, and there are {len(generators)} up to "
-                                   f"degree {degree}: {', '.join(map(str, generators))}.")  # fmt: skip
+                                   f"degree {degree}: {', '.join(map(str, generators))}.")
         system = self._cases[0].system
         values = np.asarray(system.algebra.casimirs(self._states(system)))
         mine = self._evaluate([*stated.values()], {})
         self._near(text, "Casimirs", mine @ np.linalg.lstsq(mine, values, rcond=None)[0], values)
         self._add(text, (Equation(name, C) for name, C in stated.items()), "brackets with all coordinates vanish",
                   f"linear algebra finds as many up to degree {degree}",
-                  f"the Casimirs of {type(system.algebra).__name__} are linear combinations")  # fmt: skip
+                  f"the Casimirs of {type(system.algebra).__name__} are linear combinations")
 
     def integral(self, text: str, name: Name, F: Any) -> None:
         """Add an integral; {F, H} must vanish, and so must its rate along the numerical vector field."""
@@ -201,7 +201,7 @@ class Derivation:
         ranks = [_gradient_rank([*base, *more], x) for more in ([], stated)]
         if len(integrals) != len(stated) or ranks[0] != ranks[1]:
             raise DerivationBroken(f"{text} {len(stated)} further integrals are stated up to degree {degree}, and "
-                                   f"there are {len(integrals)}: {', '.join(map(str, integrals))}.")  # fmt: skip
+                                   f"there are {len(integrals)}: {', '.join(map(str, integrals))}.")
         for F in integrals:
             for _, place, numerical in self._cases:
                 self._constant(text, "F", F, place, numerical)
@@ -234,7 +234,7 @@ class Derivation:
                          Equation(Name(r"\text{unstable}", "unstable"), condition, "⇐")],
                   "the polynomial is that of the linearised equations",
                   f"its roots decide the condition, for {LIMITS.trials} random parameters",
-                  self._said("unstable", judged))  # fmt: skip
+                  self._said("unstable", judged))
 
     def exponents_if(self, text: str, point: Sequence[Any], condition: Any) -> None:
         """Add a condition of instability; the largest real part of the numerical exponents must be positive just then.
@@ -254,7 +254,7 @@ class Derivation:
         judged = self._judge(text, point, condition, "unstable")
         self._add(text, [Equation(Name(r"\text{unstable}", "unstable"), condition, "⇐")],
                   f"for {LIMITS.trials} random sets of parameters exponents have a positive real part exactly then",
-                  self._said("unstable", judged))  # fmt: skip
+                  self._said("unstable", judged))
 
     def vanishes(self, text: str, expression: Any) -> None:
         """Add an expression that is zero by algebra."""
@@ -274,7 +274,7 @@ class Derivation:
             symbols = [reduced.radius, reduced.angle, reduced.height, *values]
             rates = sympy.lambdify(symbols, [*reduced.rates.values(), reduced.hamiltonian], modules="numpy")
             stated = np.array([rates(radius, a, radius * z, *values.values())
-                               for a, z in zip(angles, planar[:, 2], strict=True)])  # fmt: skip
+                               for a, z in zip(angles, planar[:, 2], strict=True)])
             energy = np.asarray(system.energy(jnp.asarray(radius * planar)))
             numbers = np.stack([turning, field[:, 2], energy], axis=1)
             self._near(text, "rates and energy on the sphere", stated, numbers)
@@ -289,7 +289,7 @@ class Derivation:
         self._add(text, [*named, *(Equation(Rate(v), rate) for v, rate in reduced.rates.items())],
                   "the brackets of coordinates restrict to the sphere",
                   f"equal to vector field and energy of {self._against}",
-                  "equal to the KKS form of ad* vectors")  # fmt: skip
+                  "equal to the KKS form of ad* vectors")
 
     # ------------------------------------------------------------------ checks
 
@@ -315,7 +315,7 @@ class Derivation:
         off = float(np.abs(stated - numbers).max(initial=0.0))
         if not off <= LIMITS.max_difference * size:
             raise DerivationBroken(f"{text} {what}: the numerical system differs from what is stated by {off:.3g}, "
-                                   f"where the values are up to {size:.3g}.")  # fmt: skip
+                                   f"where the values are up to {size:.3g}.")
 
     def _same_condition(self, text: str, stated: Any, computed: Any) -> None:
         """Require two conditions to agree for random parameters, multiples of 1/8, which are exact doubles."""
@@ -326,7 +326,7 @@ class Derivation:
         for k in np.flatnonzero(holds[0] != holds[1])[:1]:
             place = {str(s): float(values[k]) for s, values in zip(symbols, numbers, strict=True)}
             raise DerivationBroken(f"{text} the condition is stated as {stated}, and computed as {computed}; they "
-                                   f"differ at {place}.")  # fmt: skip
+                                   f"differ at {place}.")
 
     def _check_variation(
         self, text: str, point: Sequence[Any], conserved: Sequence[Any], variation: SecondVariation
@@ -336,7 +336,7 @@ class Derivation:
         total = sum((n * C for n, C in zip(variation.multipliers, conserved, strict=True)), sympy.Integer(0))
         for sample, _, system in self._cases:
             place = {s: sample.get(str(s), LIMITS.free_multiplier)
-                     for s in (*_symbols_of(point), *_symbols_of(variation.multipliers))}  # fmt: skip
+                     for s in (*_symbols_of(point), *_symbols_of(variation.multipliers))}
             place |= {s: sample[str(s)] for s in self.system.parameters}
             z = [float(sympy.sympify(p).subs(place)) for p in point]
 
@@ -364,11 +364,11 @@ class Derivation:
             numerical = stability(system, np.asarray(system.algebra.from_dual_vector(z))).verdict
             if numerical != verdict:
                 raise DerivationBroken(f"{text} for {dict(sample)} the condition says {verdict}, and stability() "
-                                       f"{numerical}.")  # fmt: skip
+                                       f"{numerical}.")
             judged += 1
         if not judged:
             raise DerivationBroken(f"{text} none of the sets of parameters satisfies {condition}, so nothing is "
-                                   "compared with stability(). Add one.")  # fmt: skip
+                                   "compared with stability(). Add one.")
         return judged
 
 

@@ -107,10 +107,10 @@ def polynomial_integrals(
 def _commuting(
     constants: Sequence[Sequence[dict[int, Fraction]]], sign: int, H: Polynomial, dim: int, degree: int, one: Any,
     field: Any,
-) -> list[Polynomial]:  # fmt: skip
+) -> list[Polynomial]:
     """Return a basis of the polynomials of degree 1 up to a given one that commute with H."""
     monomials = [exponents_of(m, dim) for d in range(degree, 0, -1)
-                 for m in itertools.combinations_with_replacement(range(dim), d)]  # fmt: skip
+                 for m in itertools.combinations_with_replacement(range(dim), d)]
     rows: dict[tuple[int, ...], dict[int, Any]] = defaultdict(dict)
     for column, monomial in enumerate(monomials):
         for powers, value in bracket_terms(constants, sign, {monomial: one}, H).items():

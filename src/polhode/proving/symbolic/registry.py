@@ -61,7 +61,7 @@ def derive(name: str) -> Page:
     page = function() if callable(function) else function
     if not isinstance(page, Page):
         raise InvalidInput(f"the derivation {name} of another package, {point.value}, must be a function that returns "
-                           f"a Page; got {shown(page)}. Update or remove it.")  # fmt: skip
+                           f"a Page; got {shown(page)}. Update or remove it.")
     return page
 
 

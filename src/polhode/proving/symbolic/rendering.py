@@ -110,7 +110,7 @@ def _text_page(page: Page) -> str:
             lines += ["", *_text_equation(equation)]
         if step.checks:
             lines += ["", *textwrap.wrap(f"✓ {'; '.join(step.checks)}", TEXT_WIDTH, initial_indent="   ",
-                                         subsequent_indent="     ")]  # fmt: skip
+                                         subsequent_indent="     ")]
     return "\n".join(lines) + "\n"
 
 
@@ -125,14 +125,14 @@ def _text_equation(equation: Equation) -> list[str]:
     if isinstance(right, sympy.Add):
         return _rows_of_sum(left, right)
     return textwrap.wrap(left + str(right).replace("**", "^"), TEXT_WIDTH, subsequent_indent=2 * INDENT,
-                         break_long_words=False)  # fmt: skip
+                         break_long_words=False)
 
 
 def _rows_of(left: str, right: Any) -> list[str]:
     """Return a formula in two dimensions, behind its left side."""
     form = _PRINTER._print(right)
     return [((left if k == form.baseline else " " * len(left)) + row).rstrip()
-            for k, row in enumerate(str(form).split("\n"))]  # fmt: skip
+            for k, row in enumerate(str(form).split("\n"))]
 
 
 def _rows_of_sum(left: str, total: Any) -> list[str]:
@@ -141,7 +141,7 @@ def _rows_of_sum(left: str, total: Any) -> list[str]:
     terms = total.as_ordered_terms()
     while terms:
         count = next((n for n in range(len(terms), 1, -1)
-                      if max(map(len, _rows_of(left, sympy.Add(*terms[:n])))) <= TEXT_WIDTH), 1)  # fmt: skip
+                      if max(map(len, _rows_of(left, sympy.Add(*terms[:n])))) <= TEXT_WIDTH), 1)
         rows += [*([""] if rows else []), *_rows_of(left, sympy.Add(*terms[:count]))]
         terms = terms[count:]
         left = " " * (len(left.rstrip()) - 1) + ("+ " if terms and not terms[0].could_extract_minus_sign() else "  ")
@@ -171,7 +171,7 @@ def _latex_of(thing: Any) -> str:
 def _latex_equations(equations: tuple[Equation, ...]) -> str:
     words = {"=": "=", "⇐": r"\Longleftarrow"}
     lines = [f"&{_latex_of(e.right)}" if e.left is None else
-             f"{_latex_of(e.left)} &{words[e.word]} {_latex_of(e.right)}" for e in equations]  # fmt: skip
+             f"{_latex_of(e.left)} &{words[e.word]} {_latex_of(e.right)}" for e in equations]
     return "\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}"
 
 
@@ -224,7 +224,7 @@ def _font_face() -> str:
     """Return the rule that gives a page its math font: without one, browsers draw roots too short and lose dots."""
     font = (resources.files("polhode.proving.symbolic") / "assets" / "math.woff2").read_bytes()
     return (f"@font-face{{font-family:'polhode math';src:url(data:font/woff2;base64,{base64.b64encode(font).decode()})"
-            " format('woff2')}")  # fmt: skip
+            " format('woff2')}")
 
 
 def _mathml_equation(equation: Equation) -> str:

@@ -119,7 +119,7 @@ def second_variation(
     for C in conserved:
         if not system.is_integral(C):
             raise InvalidInput(f"`conserved` must be Casimirs or integrals; {{C, H}} does not vanish for "
-                               f"{shown(str(C))}.")  # fmt: skip
+                               f"{shown(str(C))}.")
     names = sympy.symbols(f"lambda1:{len(conserved) + 1}", real=True)
     gradients = [sympy.Matrix([sympy.diff(C, v) for v in x]).subs(point, simultaneous=True) for C in conserved]
     energy = sympy.Matrix([sympy.diff(system.hamiltonian, v) for v in x]).subs(point, simultaneous=True)
@@ -139,7 +139,7 @@ def second_variation(
     matrix = (kernel.T * hessian * kernel).applyfunc(sympy.factor)
     if len(free) > 1:
         raise InvalidInput(f"at most one multiplier may stay free; the equilibrium leaves {', '.join(map(str, free))}. "
-                           "Give fewer conserved functions.")  # fmt: skip
+                           "Give fewer conserved functions.")
     conditions = definite_for_some(matrix, free[0]) if free else definite_conditions(matrix)
     return SecondVariation(multipliers, free, kernel, matrix, *conditions)
 
@@ -152,5 +152,5 @@ def _point(system: SymbolicSystem, equilibrium: Sequence[Any] | Mapping[Any, Any
     values = list(equilibrium)
     if len(values) != len(coordinates) or any(value is None for value in values):
         raise InvalidInput(f"`equilibrium` must have the {len(coordinates)} coordinates "
-                           f"{', '.join(map(str, coordinates))}; got {shown(str(values))}.")  # fmt: skip
+                           f"{', '.join(map(str, coordinates))}; got {shown(str(values))}.")
     return dict(zip(coordinates, map(system.bracket.read, values), strict=True))

@@ -88,14 +88,14 @@ def unstable_condition(characteristic: Any, exponent: Any) -> Any:
     lowest = min(n for (n,), _ in powers)
     if any((n - lowest) % 2 for (n,), _ in powers):
         raise InvalidInput(f"the characteristic polynomial must be even in {exponent} but for a power of it; got "
-                           f"{shown(str(characteristic))}.")  # fmt: skip
+                           f"{shown(str(characteristic))}.")
     even = sympy.Add(*(c * u ** ((n - lowest) // 2) for (n,), c in powers))
     cases = []
     for factor, _ in sympy.factor_list(even)[1]:
         poly = sympy.Poly(factor, u)
         if poly.degree() > 3:
             raise InvalidInput(f"factors of degree above 3 in {exponent}² are not decided; got "
-                               f"{shown(str(factor.subs(u, exponent**2)))}.")  # fmt: skip
+                               f"{shown(str(factor.subs(u, exponent**2)))}.")
         if poly.degree():
             cases += [positive_condition(-poly.LC() * c) for c in poly.all_coeffs()[1:]]
         if poly.degree() > 1:

@@ -76,7 +76,7 @@ class SymbolicSystem:
             raise InvalidInput(f"`system` must be a Lie–Poisson system; got {shown(type(system).__name__)}.")
         if not system.conserves_energy:
             raise InvalidInput(f"{type(system).__name__} loses energy, and no Hamiltonian alone gives its motion. Take "
-                               "the conservative system.")  # fmt: skip
+                               "the conservative system.")
         bracket = LiePoissonBracket(system.algebra, coordinates, system.sign, read_as=read_as)
         return cls(bracket, from_terms(_exact_energy(system, read_as), bracket.coordinates))
 
@@ -123,7 +123,7 @@ class SymbolicSystem:
         wrong = [str(key) for key in values if str(key) not in known]
         if wrong:
             raise InvalidInput(f"{shown(wrong[0])} is no parameter of this system; it has "
-                               f"{', '.join(known) or 'none'}.")  # fmt: skip
+                               f"{', '.join(known) or 'none'}.")
         return {known[str(key)]: read_doubles(value, self.bracket.read_as) for key, value in values.items()}
 
     def to_system(
@@ -155,13 +155,13 @@ class SymbolicSystem:
             rate = sympy.simplify(fixed.bracket(F.subs(exact_values), fixed.hamiltonian))
             if rate != 0:
                 raise InvalidInput(f"`conserved` must commute with the Hamiltonian; {name} = {shown(str(F))} changes "
-                                   f"at the rate {shown(str(rate))}. Leave it out.")  # fmt: skip
+                                   f"at the rate {shown(str(rate))}. Leave it out.")
         algebra = self.bracket.algebra
         if algebra is None:
             exact = fixed.bracket.constants
             algebra = from_structure_constants(np.array([[[float(c) for c in v] for v in row] for row in exact]))
         functions = {name: compile_expression(F, self.bracket.coordinates, algebra, self.parameters, numbers)
-                     for name, F in {"": self.hamiltonian, **conserved}.items()}  # fmt: skip
+                     for name, F in {"": self.hamiltonian, **conserved}.items()}
         return LiePoisson(algebra, functions.pop(""), functions, self.bracket.sign)
 
     def latex(self) -> str:
@@ -197,7 +197,7 @@ class CompiledExpression(eqx.Module):
 def compile_expression(
     expression: Any, coordinates: Sequence[Any], algebra: AbstractLieAlgebra, parameters: Sequence[Any] = (),
     numbers: Sequence[float] = (),
-) -> CompiledExpression:  # fmt: skip
+) -> CompiledExpression:
     """Return an expression as a function of one point (*element_shape) of the dual, differentiable by JAX.
 
     Args:

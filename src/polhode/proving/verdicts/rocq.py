@@ -41,7 +41,7 @@ def write_proof(certificate: RationalCertificate, path: str | Path) -> Path:
     path = Path(path)
     if not NAME.fullmatch(path.name) or path.name == THEORY:
         raise InvalidInput(f"a proof's file must be named like top_1.v, other than {THEORY}, as the prover takes the "
-                           f"name for a module; got {shown(path.name)}.")  # fmt: skip
+                           f"name for a module; got {shown(path.name)}.")
     certificate.check()
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -100,7 +100,7 @@ def _readable(equations: Equations) -> str:
         lines.append(_wrap(f"Definition f{k + 1} ({names} : R) : R := {_formula(f)}."))
     squares = " + ".join(f"(x{k + 1} - {_real(z)}) * (x{k + 1} - {_real(z)})" for k, z in enumerate(equations.point))
     lines += ["(* the square of the distance from the point *)",
-              _wrap(f"Definition distance2 ({names} : R) : R := {squares}."), ""]  # fmt: skip
+              _wrap(f"Definition distance2 ({names} : R) : R := {squares}."), ""]
     return "\n".join(lines)
 
 
@@ -115,9 +115,9 @@ def _data(equations: Equations) -> str:
     at = " ".join(f"(x {k}%nat)" for k in range(n))
     for k in range(n):
         lines += [f"Lemma reads{k + 1} x : eval x (zf {k}) = f{k + 1} {at}.",
-                  f"Proof. unfold zf, field, f{k + 1}. read_data. Qed."]  # fmt: skip
+                  f"Proof. unfold zf, field, f{k + 1}. read_data. Qed."]
     lines += [f"Lemma reads_distance x : off {n} zp x = distance2 {at}.",
-              "Proof. unfold zp, point, distance2. read_data. Qed.", ""]  # fmt: skip
+              "Proof. unfold zp, point, distance2. read_data. Qed.", ""]
     return "\n".join(lines)
 
 
@@ -128,12 +128,12 @@ def _confinement_data(equations: Equations, proof: Confinement) -> str:
     lines += [_wrap(f"Definition c{k + 1} : poly := {text}.") for k, text in enumerate(polynomials)]
     parts = [f"scale {_q(proof.weights[name])} c{k + 1}" for k, name in enumerate(names) if name in proof.weights]
     lines.append("Definition square (p : poly) (level : Q) : poly := "
-                 "times (add p (constant (- level))) (add p (constant (- level))).")  # fmt: skip
+                 "times (add p (constant (- level))) (add p (constant (- level))).")
     parts += [f"scale {_q(proof.squares[name])} (square c{k + 1} {_q(equations.levels[name])})"
-              for k, name in enumerate(names) if name in proof.squares]  # fmt: skip
+              for k, name in enumerate(names) if name in proof.squares]
     lines += [_wrap("Definition G : poly := " + _sum(parts) + "."),
               f"Definition margin : Q := {_q(proof.margin)}.\nDefinition radius : Q := {_q(proof.radius)}.",
-              f"Definition forms : list (Q * list Q) := {_squares(proof.forms)}."]  # fmt: skip
+              f"Definition forms : list (Q * list Q) := {_squares(proof.forms)}."]
     if equations.flow:
         lines.append(f"Definition slice : Q := {_q(proof.slice)}.")
     return "\n".join([*lines, ""])
@@ -234,7 +234,7 @@ def _growth_data(proof: Growth) -> str:
         f"Definition forms : list (Q * list Q) := {_squares(proof.forms)}.",
         f"Lemma checked : check_growth {len(proof.form)} zf zp V direction radius gamma margin forms = {TRUE}.",
         "Proof. vm_cast_no_check (eq_refl true). Qed.", "",
-    ])  # fmt: skip
+    ])
 
 
 def _drift_data(proof: Drift) -> str:
@@ -247,7 +247,7 @@ def _drift_data(proof: Drift) -> str:
         f"Definition radius : Q := {_q(proof.radius)}.",
         f"Lemma checked : check_drift {len(proof.form)} zf zp V direction radius K q = {TRUE}.",
         "Proof. vm_cast_no_check (eq_refl true). Qed.", "",
-    ])  # fmt: skip
+    ])
 
 
 def _leaving_theorem(equations: Equations, theorem: str) -> str:
@@ -283,7 +283,7 @@ Print Assumptions equilibrium_is_unstable.
 def _solutions(n: int) -> str:
     """Return the hypotheses that functions solve the equations."""
     return "\n".join(f"  (forall t, 0 <= t <= T -> derivable_pt_lim x{k + 1} t (f{k + 1} {_at(n, 't')})) ->"
-                     for k in range(n))  # fmt: skip
+                     for k in range(n))
 
 
 def _solves(n: int) -> str:
@@ -329,7 +329,7 @@ def _q(x: Fraction) -> str:
 
 def _poly(p: RationalPolynomial) -> str:
     return "[" + "; ".join(f"({_q(c)}, [{'; '.join(str(k) for k, e in enumerate(m) for _ in range(e))}]%nat)"
-                           for m, c in p.sorted_terms()) + "]"  # fmt: skip
+                           for m, c in p.sorted_terms()) + "]"
 
 
 def _numbers(row: Sequence[Fraction]) -> str:

@@ -51,11 +51,11 @@ def check_by_z3(certificate: RationalCertificate) -> None:
         if answer == z3.sat:
             place = ", ".join(f"{d.name()} = {solver.model()[d]}" for d in solver.model().decls())
             raise InvalidInput(f"the claim must hold that {claim}; z3 refutes it at {place or 'every point'}. "
-                               "Take the certificate from `stability`.")  # fmt: skip
+                               "Take the certificate from `stability`.")
         if answer != z3.unsat:
             seconds = LIMITS.max_time // 1000
             raise InvalidInput(f"z3 must decide that {claim}; it gave up after at most {seconds} s. "
-                               "Check the certificate by `as_rational().check()` or by Rocq.")  # fmt: skip
+                               "Check the certificate by `as_rational().check()` or by Rocq.")
 
 
 def _claims(

@@ -167,4 +167,4 @@ def check_size(name: str, value: float, unit: str, largest: float) -> None:
     """
     if not 1.0 / largest <= value <= largest:
         raise InvalidInput(f"`{name}` must be within {1.0 / largest:.0e} and {largest:.0e} {unit}; got {value:g}. "
-                           "Check its unit.")  # fmt: skip
+                           "Check its unit.")

@@ -55,7 +55,7 @@ def differentiate_rolling(mechanics: RollingMechanics, parts: Sequence[Float64[A
     return SteadyMotion(
         flow, slope, curvature, dJ, ddJ, ("J2", "J3"),
         "J2, J3 are ω2, ω3 carried to this tilt by their linear equations", ("tilt", "rates"), ("heading", "place"),
-    )  # fmt: skip
+    )
 
 
 @jax.jit

@@ -78,7 +78,7 @@ def make_report(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
         table=table, disk=disk, trajectory=trajectory, begin=start, steady=steady,
         laws=_shares(table, disk, trajectory, end), spin_down=end, end_by_energy=by_energy, path=path,
         opening=opening, thresholds=_thresholds(table, ideal),
-    )  # fmt: skip
+    )
 
 
 def answers_without_motion(spec: Spec[EulerDiskTable]) -> Iterator[Group | Table]:
@@ -93,7 +93,7 @@ def answers_without_motion(spec: Spec[EulerDiskTable]) -> Iterator[Group | Table
         table=table, disk=disk, trajectory=WITHOUT_MOTION, begin=_start(table, disk), steady=_steady(table, ideal),
         laws=[], spin_down=None, end_by_energy=None, path=make_placeholder(DiskPath), opening=None,
         thresholds=_thresholds(table, ideal),
-    ).without_motion()  # fmt: skip
+    ).without_motion()
 
 
 def _disks(table: EulerDiskTable) -> tuple[EulerDisk, EulerDisk]:

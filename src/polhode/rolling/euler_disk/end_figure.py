@@ -30,7 +30,7 @@ def draw_disk_end(report: EulerDiskReport) -> Figure:
     else:
         _towards_the_end(panels, spin_down, (tilt, np.abs(precession)))
         figure.legend(*panels[0].get_legend_handles_labels(), loc="outside upper center", ncols=2,
-                      fontsize=style.FONT - 1, frameon=False, handlelength=2.2)  # fmt: skip
+                      fontsize=style.FONT - 1, frameon=False, handlelength=2.2)
     for axes, words in zip(panels, ("tilt from the plane  [°]", "precession  [rad/s]"), strict=True):
         axes.set_ylabel(words)
         style.tidy(axes)
@@ -62,9 +62,9 @@ def _towards_the_end(panels: Any, spin_down: SpinDown, values: tuple[Array, Arra
         sign = "−" if fit.exponent < 0 else ""
         axes.text(0.03, 0.08 if fit.exponent > 0 else 0.92, f"exponent {sign}{abs(fit.exponent):.3f}",
                   transform=axes.transAxes, fontsize=style.FONT - 1, va="bottom" if fit.exponent > 0 else "top",
-                  color=style.DARK)  # fmt: skip
+                  color=style.DARK)
         axes.axvspan(left[fitted].max(), left[fitted].min(), color=style.LIGHT, alpha=0.35, lw=0,
-                     label="samples fitted")  # fmt: skip
+                     label="samples fitted")
         for name, time in spin_down.events.items():
             _mark(axes, name, time, spin_down)
         before = y[np.asarray(spin_down.trajectory.times) <= min(spin_down.events.values(), default=np.inf)]

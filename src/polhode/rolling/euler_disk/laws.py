@@ -62,7 +62,7 @@ class LawTable(Strict):
 
     law: Annotated[
         Literal["air-layer", "boundary-layer", "viscous-contour-friction", "dry-contour-friction", "rolling-couple",
-                "drilling-friction"], one_of(*LAWS)] = Field(description='give it like "air-layer"')  # fmt: skip
+                "drilling-friction"], one_of(*LAWS)] = Field(description='give it like "air-layer"')
     viscosity: Viscosity | None = None
     coefficient: Annotated[float, BeforeValidator(_coefficient)] | None = None
     arm: Length | None = None

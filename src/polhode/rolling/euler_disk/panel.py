@@ -61,7 +61,7 @@ class EulerDiskPanel(KindPanel):
             {"title": title, "words": [words, {"unit": unit}], "x": pack(np.log10(left[ahead]), "f4"),
              "y": pack(np.log10(np.asarray(values)), "f4")}
             for title, unit, values in (("Tilt", "[°]", tilt), ("Precession", "[rad/s]", rate))
-        )  # fmt: skip
+        )
 
 
 PANEL = EulerDiskPanel()

@@ -53,7 +53,7 @@ def draw_contact_path(report: EulerDiskReport) -> Figure:
     words = f"turns before it is {path.outcome.event}" if ends else f"time  [{style.factor(slow)}s]"
     _bar(panels[-1], style.VERMILION if closer else style.DARK, clock, words, ends)
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside upper center", ncols=2, fontsize=style.FONT - 1,
-                  frameon=False, handlelength=2.2)  # fmt: skip
+                  frameon=False, handlelength=2.2)
     return figure
 
 

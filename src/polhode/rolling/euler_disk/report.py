@@ -92,7 +92,7 @@ class EulerDiskReport(MotionReport):
             self.trajectory, times=np.asarray(self.path.times), states=states, attitude=np.asarray(vectors.attitude),
             momentum=np.asarray(vectors.momentum), angular_velocity=np.asarray(vectors.angular_velocity), invariants={},
             balances={"energy": energy}, received={}, outcome=self.path.outcome,
-        )  # fmt: skip
+        )
 
     @property
     def shown_part(self) -> str:
@@ -146,11 +146,11 @@ class EulerDiskReport(MotionReport):
         spin_down, dominant, notes = self.spin_down, self.dominant, []
         if spin_down is not None and dominant is not None and (dominant.share_late or 0.0) < LIMITS.dominant_share:
             notes.append("no law takes nearly all of the power where exponents are fitted: they lie between the laws', "
-                         "and their uncertainty is that of the fit alone.")  # fmt: skip
+                         "and their uncertainty is that of the fit alone.")
         if spin_down is not None and self.table.thickness:
             notes.append("laws are predicted for a thin disk. A thick one does not keep its centre at rest: the spin "
                          "that losses leave it holds a part of the weight, and Ω grows more slowly by it than as "
-                         "tilt^(−1/2).")  # fmt: skip
+                         "tilt^(−1/2).")
         if spin_down is not None and spin_down.first_event is None:
             notes.append("followed through four decades of tilt or a million steps without an event.")
         return notes
@@ -176,7 +176,7 @@ class EulerDiskReport(MotionReport):
             Answer("diametral_moment", diametral, "kg m²"),
             Answer("", None, "", "moments, axial and diametral", "", f"{axial:.8g}, {diametral:.8g} kg m²"),
             Answer("gravity", table.gravity, "m/s²"),
-        ])  # fmt: skip
+        ])
 
     def _start(self) -> Group:
         state = self.begin
@@ -200,7 +200,7 @@ class EulerDiskReport(MotionReport):
             Answer("critical_spin_rate", spinning, "rad/s", "spins stably upright from"),
             Answer("start.energy", float(self.disk.energy(state)), "J", "energy"),
             Answer("start.normal_force", float(self.disk.normal_force(state)), "N", "normal force"),
-        ])  # fmt: skip
+        ])
 
     def _steady(self) -> list[Group | Table]:
         steady = self.steady
@@ -211,7 +211,7 @@ class EulerDiskReport(MotionReport):
             Answer("steady.spin", float(LAYOUT.part(steady.state, "spin")), "rad/s"),
             Answer("steady.nutation", steady.nutation, "rad/s"),
             *about_stability("steady.stability", steady.verdict),
-        ])  # fmt: skip
+        ])
         title = "Steady rolling at this tilt and precession without dissipation, in tilt and rates"
         tilt = math.degrees(float(LAYOUT.part(steady.state, "tilt")))
         rows = [stability_values(steady.verdict)]
@@ -274,7 +274,7 @@ class EulerDiskReport(MotionReport):
             Answer("", None, "", EVENTS.get(name, name), "",
                    f"{time:.10g} s{_before(exact, time, spin_down.end_uncertainty)}")
             for name, time in spin_down.events.items()
-        ]  # fmt: skip
+        ]
         return Group("End", [
             Answer("spin_down.end", exact, "s", "t0, by the power laws", "from the start", t0),
             Answer("spin_down.end_uncertainty", spin_down.end_uncertainty, "s"),
@@ -285,7 +285,7 @@ class EulerDiskReport(MotionReport):
             Answer("spin_down.dominant_law", None if dominant is None else dominant.law),
             *(Answer(f"spin_down.{name}", values) for name, values in self._fits(spin_down).items()),
             Answer("spin_down.energy_balance", spin_down.energy_balance),
-        ])  # fmt: skip
+        ])
 
     def _motion(self) -> Group:
         (first, last), lowest = self.energies, self.lowest_force
@@ -301,7 +301,7 @@ class EulerDiskReport(MotionReport):
                 Answer("normal_force_minimum_of_weight", of_weight, "1"),
             ]),
             *accuracy(self.trajectory, "energy balance" if self.laws else "drift"),
-        ])  # fmt: skip
+        ])
 
 
 def _exponent(fit: PowerLaw, predicted: float | None) -> dict[str, float | None]:

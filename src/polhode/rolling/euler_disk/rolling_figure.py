@@ -63,7 +63,7 @@ def draw_rolling_disk(report: EulerDiskReport) -> Figure:
     handles.append(axes.plot([], [], color=style.VERMILION, lw=1.2, marker="o", ms=3.5, label=f"centre{words}")[0])
     _scale_bar(scene, placing, last, a)
     axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=2, frameon=False,
-                fontsize=style.FONT - 1, handlelength=1.8, columnspacing=1.0)  # fmt: skip
+                fontsize=style.FONT - 1, handlelength=1.8, columnspacing=1.0)
     axes.set_title(_words(times, np.degrees(LAYOUT.part(states, "tilt"))), fontsize=style.FONT, color=style.DARK)
     return figure
 
@@ -138,4 +138,4 @@ def _scale_bar(scene: Scene, placing: Any, path: Array, radius: float) -> None:
     x, y, _ = scene.project(ends)
     scene.axes.plot(x, y, color=style.DARK, lw=1.4, solid_capstyle="butt", zorder=6)
     scene.axes.annotate(f"{1e3 * length:g} mm", (x.mean(), y.mean()), (0.0, -3.0), textcoords="offset points",
-                        ha="center", va="top", fontsize=style.FONT - 1, color=style.DARK, zorder=6)  # fmt: skip
+                        ha="center", va="top", fontsize=style.FONT - 1, color=style.DARK, zorder=6)

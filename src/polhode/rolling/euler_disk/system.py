@@ -302,7 +302,7 @@ class EulerDisk(AbstractSystem):
 
         Raises:
             InvalidInput: for a disk that lies flat or on the wrong rim, or a velocity that does not roll.
-        """  # fmt: skip
+        """
         require_doubles(attitude=attitude)
         w, x, y, z = (float(k) for k in np.asarray(rotation.normalize(np.asarray(attitude, dtype=float))))
         theta = 2.0 * math.atan2(math.hypot(x, y), math.hypot(w, z))
@@ -329,7 +329,7 @@ class EulerDisk(AbstractSystem):
 
         Raises:
             InvalidInput: for tilts at which the disk does not touch with one point of its rim.
-        """  # fmt: skip
+        """
         return self.check_state([tilt, heading, face, *contact, tilt_rate, precession * math.sin(tilt), spin])
 
     @known_numbers_only
@@ -354,7 +354,7 @@ class EulerDisk(AbstractSystem):
 
         Raises:
             InvalidInput: for tilts without steady motion, rates that are not steady, and a disk that would fall.
-        """  # fmt: skip
+        """
         self._check_tilt(np.asarray(tilt))
         disk, theta = self.mechanics, jnp.asarray(np.float64(tilt))
         if precession is None:

@@ -154,7 +154,7 @@ def find_clock_offset(motion: Moving, samples: Samples, speed: float, wanted: Wa
             continue
         return _settle(motion, many, fits, Rule(speed, float(grid[-1] - grid[0]), wanted, missed))
     raise InvalidInput(f"no offset of the clocks makes the two agree{_word_nearest(nearest, turns, wanted)}. Check "
-                       "that both are along the same body axes, or say the offset by `offset`.")  # fmt: skip
+                       "that both are along the same body axes, or say the offset by `offset`.")
 
 
 def _word_nearest(nearest: Fit | None, turns: float, wanted: Wanted) -> str:
@@ -163,7 +163,7 @@ def _word_nearest(nearest: Fit | None, turns: float, wanted: Wanted) -> str:
         return ""
     axes = ", with the axes of space turned by a constant" if nearest.free[0] else ""
     return (f": the best, {wanted.word(nearest.offset)} s{axes}, leaves {nearest.left:.2g} rad rms, and the samples "
-            f"turn by {turns:.2g} rad rms")  # fmt: skip
+            f"turn by {turns:.2g} rad rms")
 
 
 def _settle(motion: Moving, samples: Samples, fits: list[Fit], rule: Rule) -> ClockOffset:

@@ -87,7 +87,7 @@ def fit_alignment(
     return Alignment(
         rotation.as_rotation_vector(body), rotation.as_rotation_vector(first), turn / half,
         np.linalg.norm(rest, axis=-1), rank == 9,
-    )  # fmt: skip
+    )
 
 
 @known_numbers_only

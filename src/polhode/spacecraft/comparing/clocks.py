@@ -19,7 +19,7 @@ from polhode.studies.sources import Source
 
 START = "start"
 SUPPOSED = ("; it supposes that both have the same body axes, as the motion does not tell a turn of these from an "
-            "offset")  # fmt: skip
+            "offset")
 _TIME = re.compile(r"\s*(?P<number>[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(?P<unit>[A-Za-zµμ]+)\s*")
 
 
@@ -59,7 +59,7 @@ def parse_clocks(offset: str | float | None, align: bool) -> Decimal | str | Ali
         return parsed
     if isinstance(parsed, str):
         raise InvalidInput(f"`offset` says by `{START}` the offset that `align_clock` would find. Leave one out, or "
-                           "say a time that it is near.")  # fmt: skip
+                           "say a time that it is near.")
     return Align(parsed)
 
 
@@ -78,7 +78,7 @@ def _parse_offset(text: str | None) -> Decimal | str | None:
             return exact_number(match["number"]) * IN_DECIMAL_SECONDS[unit]
         except ValueError:
             raise InvalidInput(f"`offset` must be between 1e-30 and 1e30 in size, or 0; got {shown(text)}. Say A's "
-                               "time at B's time zero.") from None  # fmt: skip
+                               "time at B's time zero.") from None
     raise InvalidInput(f"`offset` must be `{START}`, or a time with its unit like `-68.5 s`; got {shown(text)}.")
 
 
@@ -115,7 +115,7 @@ def lay_side_by_side(a: Source, b: Source, offset: Decimal | str | Align | None)
     silent = [name for name, side in (("A", a), ("B", b)) if side.labels is None]
     unsaid = f"{' and '.join(silent)} {'has' if len(silent) == 1 else 'have'} no epoch"
     shortest = min((float(np.diff(side.history.times).min()) for side in (a, b) if len(side.history.times) > 1),
-                   default=0.0)  # fmt: skip
+                   default=0.0)
     same = a.history.resolution + b.history.resolution + COMPARISON.equal_times * shortest
     if abs(float(begins[1] - begins[0])) > same:
         raise InvalidInput(
@@ -141,7 +141,7 @@ def _align(a: Source, b: Source, near: Decimal | None) -> Laid:
             beside += f"; if both have the same body axes, at {_measured(alone, error)} s"
     chosen = "" if near is None else f"; of several, the nearest to the {in_words(near)} s of `offset` is taken"
     words = (f"B's time zero is at {_measured(begins, aligned.error)} s of A, by the attitudes with the axes of space "
-             f"{axes}, which leave {aligned.left:.2g} rad rms{beside}{chosen}")  # fmt: skip
+             f"{axes}, which leave {aligned.left:.2g} rad rms{beside}{chosen}")
     return Laid(aligned.offset, words, aligned._replace(offset=float(begins), agreeing=agreeing))
 
 

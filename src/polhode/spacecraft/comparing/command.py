@@ -17,7 +17,7 @@ from polhode.spacecraft.comparing.study import compare_files
 def run_compare(
     first: Path, second: Path, json: bool, figures: Path | None, spec: Path | None, kernels: Kernels,
     columns: ColumnOptions, offset: str | None = None, align: bool = False,
-) -> None:  # fmt: skip
+) -> None:
     """Read both, compare, draw, and print the answers."""
     parsed = parse_clocks(offset, align)
     report = compare_files(first, second, spec, kernels, tables_to_compare(columns), parsed)

@@ -176,7 +176,7 @@ def _compare(a: AttitudeHistory, b: AttitudeHistory, offset: float) -> Compariso
     alignment = fit_alignment(times, at_a, at_b) if len(times) > 1 and angle.max() > rounding else None
     invariants = _invariants(a, times, 0.0, slack), _invariants(b, times, offset, slack)
     return Comparison((a.name, b.name), times, angle, growth, alignment, invariants, method, missed, rounding,
-                      _noise(a, b))  # fmt: skip
+                      _noise(a, b))
 
 
 def _noise(a: AttitudeHistory, b: AttitudeHistory) -> float | None:
@@ -234,7 +234,7 @@ def _make_moving(history: AttitudeHistory) -> Moving:
         return Moving(history.exact, first, last, False)
     if len(history.times) < 3:
         raise InvalidInput(f"{history.name} has {len(history.times)} samples, which are too few to align clocks. Say "
-                           "the offset by `offset`.")  # fmt: skip
+                           "the offset by `offset`.")
     spline = _spline(history.times, history.attitude)
     return Moving(lambda times: (rotation.from_scipy(spline(times)), spline(times, 1)), first, last, True)
 
@@ -250,7 +250,7 @@ def _take_samples(source: Any, name: str) -> AttitudeHistory | None:
         return None
     got = "a trajectory without attitudes" if isinstance(source, Trajectory) else shown(source)
     raise InvalidInput(f"`{name}` must be a file, an AttitudeHistory, a Trajectory with attitudes, or a motion; "
-                       f"got {got}.")  # fmt: skip
+                       f"got {got}.")
 
 
 def _sort_by_time(history: AttitudeHistory) -> AttitudeHistory:

@@ -44,12 +44,12 @@ def comparison(comparison: Comparison) -> Figure:
     binned = ", largest of each stretch" if len(comparison.times) > LIMITS.max_points else ""
     if comparison.interpolation_error is not None and comparison.interpolation_error > 0.0:
         upper.axhline(comparison.interpolation_error, color=style.GREY, lw=0.8, ls=":",
-                      label="interpolation misses less")  # fmt: skip
+                      label="interpolation misses less")
     _plot(upper, comparison.times / unit, comparison.angle, color=style.BLUE, lw=1.1,
-          label=f"angle between them{binned}")  # fmt: skip
+          label=f"angle between them{binned}")
     if comparison.alignment is not None and comparison.explained:
         _plot(upper, comparison.times / unit, comparison.alignment.remaining, color=style.VERMILION, lw=0.9, ls="--",
-              label="after the best fit")  # fmt: skip
+              label="after the best fit")
     upper.set_ylabel("angle  [rad]")
     for axes in rest:
         for side, kept in known:
@@ -58,7 +58,7 @@ def comparison(comparison: Comparison) -> Figure:
     for axes in (upper, *rest):
         _logarithmic(axes)
         axes.legend(fontsize=style.FONT - 2, frameon=False, loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=2,
-                    borderaxespad=0.2, columnspacing=1.2, handlelength=2.2)  # fmt: skip
+                    borderaxespad=0.2, columnspacing=1.2, handlelength=2.2)
         style.tidy(axes)
     if len(comparison.times) == 1:
         upper.set_xticks([comparison.times[0] / unit])
@@ -75,7 +75,7 @@ def _plot_changes(axes: Any, kept: Invariants, side: str, unit: float) -> None:
         if name in kept.values:
             change, size = _change(kept, name)
             _plot(axes, kept.times / unit, change / size, color=of_side[0], ls=of_side[1], lw=width,
-                  label=f"{names[name]} of {side}")  # fmt: skip
+                  label=f"{names[name]} of {side}")
 
 
 def _change(kept: Invariants, name: str) -> tuple[Array, float]:
@@ -115,5 +115,5 @@ def _logarithmic(axes: Any) -> None:
 
 def _write_title(figure: Figure, names: tuple[str, str]) -> None:
     lines = [f"{side}: {name if len(name) <= LIMITS.name_length else name[: LIMITS.name_length - 1] + '…'}"
-             for side, name in zip("AB", names, strict=True)]  # fmt: skip
+             for side, name in zip("AB", names, strict=True)]
     figure.suptitle("\n".join(lines), fontsize=style.FONT - 1, x=0.02, ha="left", color=style.DARK, parse_math=False)

@@ -109,7 +109,7 @@ class ComparisonReport(StudyReport):
             Answer("method", comparison.method, "", "how"),
             Answer("interpolation_error", missed, "rad", "interpolation misses", "", words),
             *sources,
-        ])  # fmt: skip
+        ])
 
     def _offset(self) -> list[Answer]:
         """Return the estimated offset of the clocks; empty where it was given."""
@@ -137,7 +137,7 @@ class ComparisonReport(StudyReport):
             *(Answer(f"angle.{name}", x, "rad", name, "", self._word_tiny(float(x))) for name, x in sizes.items()),
             Answer("noise", comparison.noise, "rad", "noise of the samples", "rms", noise),
             Answer("growth", comparison.growth, "rad/s", said, "", growth),
-        ])  # fmt: skip
+        ])
 
     def _fit(self) -> Group:
         fit = self.comparison.alignment
@@ -158,7 +158,7 @@ class ComparisonReport(StudyReport):
             Answer("alignment.remaining.rms", fit.rms, "rad"),
             Answer("alignment.determined", fit.determined),
             Answer("alignment.explains", self.comparison.explained, "", "explains it", "", explains),
-        ])  # fmt: skip
+        ])
 
     def _word_angle(self, value: float) -> str | None:
         """Return an angle [rad] in words, without digits finer than the error of interpolation."""
@@ -179,7 +179,7 @@ class ComparisonReport(StudyReport):
         rows = [
             {"of": side, "name": name, "first": _first(kept, name), "drift": change}
             for side, kept in zip("AB", both, strict=True) if kept is not None for name, change in kept.drift.items()
-        ]  # fmt: skip
+        ]
         columns = {
             "of": lambda row: row["of"], "invariant": lambda row: NAMES[row["name"]],
             "at first": lambda row: row["first"], "drift, relative": lambda row: f"{row['drift']:.2e}",
@@ -189,7 +189,7 @@ class ComparisonReport(StudyReport):
                 "source": kept.source, "drift": kept.drift,
                 "first": {name: value[0] for name, value in kept.values.items()},
             } for kept in both
-        ]  # fmt: skip
+        ]
         answer = Answer("invariants", values, explanation="drift is relative")
         return [Group("", [answer]), Table("", "Invariants", columns, rows)]
 

@@ -39,7 +39,7 @@ LIMITS = StudyLimits()
 def compare(
     a: History, b: History, *, spec: Path | str | None = None, offset: float | str | None = None,
     align_clock: bool = False, columns: Mapping[str, Any] | None = None,
-) -> ComparisonReport:  # fmt: skip
+) -> ComparisonReport:
     """Return the report on how two attitude histories of one body differ.
 
     Both are compared along common body axes: where one is exact it is evaluated at the other's samples, and
@@ -77,7 +77,7 @@ def compare(
     if table is not None and not isinstance(a, str | Path) and not isinstance(b, str | Path):
         raise InvalidInput(f"`columns` must be left out where neither is a file; got {shown(columns)}.")
     sides = [load_source(Path(side), Kernels(), table).history if isinstance(side, str | Path) else side
-             for side in (a, b)]  # fmt: skip
+             for side in (a, b)]
     if align_clock:
         raise InvalidInput("`align_clock` is for two files. Use `polhode.spacecraft.comparing.comparison.align_clocks` "
                            "on histories.")
@@ -94,7 +94,7 @@ def compare(
 def compare_files(
     first: Path, second: Path, spec: Path | None = None, kernels: Kernels | None = None,
     tables: tuple[TableMapping | None, TableMapping | None] = (None, None), offset: Decimal | str | Align | None = None,
-) -> ComparisonReport:  # fmt: skip
+) -> ComparisonReport:
     """Return the report on how the attitude histories of two files differ.
 
     Args:
@@ -111,7 +111,7 @@ def compare_files(
         NotConverged: for a spec whose motion could not be followed.
     """
     a, b = (load_source(path, kernels or Kernels(), table)
-            for path, table in zip((first, second), tables, strict=True))  # fmt: skip
+            for path, table in zip((first, second), tables, strict=True))
     _check_used(a, b, tables)
     shared = None if spec is None else _find_mechanics(spec)
     known = shared or a.history.mechanics or b.history.mechanics
@@ -186,7 +186,7 @@ def _kinds(a: Source, b: Source) -> list[str]:
     return [
         f"{side.history.name} is a motion without a closed form: its samples are compared."
         for side in (a, b) if side.kind == "spec" and side.history.exact is None
-    ]  # fmt: skip
+    ]
 
 
 def _names(a: Source, b: Source) -> list[str]:

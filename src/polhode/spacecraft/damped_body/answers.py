@@ -128,7 +128,7 @@ class DampedStart:
             Answer("quadratic_drag", self.table.quadratic_drag, "N m s²", "quadratic drag"),
             Answer("orbital_period", self.table.orbital_period, "s", "orbital period"),
             Answer("eccentricity", self.table.eccentricity or 0.0 if orbiting else None, "", "eccentricity"),
-        ])  # fmt: skip
+        ])
 
     def rests(self) -> list[Table]:
         """Return how gravity alone lets the body rest in the frame of a circular orbit."""
@@ -142,7 +142,7 @@ class DampedStart:
         rows = [
             {"axis": k + 1, "moment": self.body.principal_moments[k], "time_constant": time_constant(stability),
              **stability_values(stability)} for k, stability in enumerate(self.axes)
-        ]  # fmt: skip
+        ]
         title = "L along each principal axis, with the losses, at the |L| of the start"
         units = {"moment": "kg m²", "time_constant": "s"}
         return verdicts("axes", title, "axis", lambda row: str(row["axis"]), rows, units)
@@ -251,7 +251,7 @@ class DampedBodyReport(MotionReport):
         notes = []
         if moments[0] < moments[1] and 2.0 * float(self.energy[0]) * moments[1] > norm**2:
             notes.append("it starts about the axis of least moment, which a body that loses energy inside leaves, as "
-                         "Explorer 1 did in 1958, for a flat spin about the axis of largest moment.")  # fmt: skip
+                         "Explorer 1 did in 1958, for a flat spin about the axis of largest moment.")
         if not settles:
             wanted = settling_time(self.axes, start, moments)
             wait = f' = "{1.1 * wanted:.3g} s"' if math.isfinite(wanted) else ""
@@ -284,7 +284,7 @@ class DampedBodyReport(MotionReport):
             *self.start.flat_spin(),
             *self._flat_spin_seen(),
             *accuracy(self.trajectory, "drift of conserved and balanced quantities"),
-        ])  # fmt: skip
+        ])
 
     def _flat_spin_seen(self) -> list[Answer]:
         """Return the time after which L stays within 5° of the major axis."""

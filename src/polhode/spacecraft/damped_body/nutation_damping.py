@@ -70,7 +70,7 @@ def damper_loss(
     refuse_not_positive(
         transverse=transverse, axial=axial, spin=abs(spin), mass=mass, radius=radius, frequency=frequency,
         damping=damping,
-    )  # fmt: skip
+    )
     nutation = axial * spin / transverse
     felt = nutation - spin
     shaking = radius * nutation * (spin - felt)

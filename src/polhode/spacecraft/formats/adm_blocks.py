@@ -99,7 +99,7 @@ class Block:
 
     def read_rows(self, instant: Callable[[str], Any], width: int | None, why: str) -> tuple[
         Shaped[Array, "n *more"], Float64[Array, "n width"], Integer[Array, "n"]
-    ]:  # fmt: skip
+    ]:
         """Return instants (n, …), numbers (n, width) and line numbers (n,) of the rows.
 
         Args:
@@ -169,5 +169,5 @@ class Block:
         sequence = text.upper().translate(str.maketrans("123", "XYZ"))
         if not _ROTATION_SEQUENCE.fullmatch(sequence):
             self.wrong("EULER_ROT_SEQ", "must be three axes, neighbours different, like ZXZ; got "
-                                        f"{shown(text or 'nothing')}")  # fmt: skip
+                                        f"{shown(text or 'nothing')}")
         return sequence

@@ -91,7 +91,7 @@ AEM = Message(
     {"DATA": "META"}, {"": "META", "META": "DATA", "DATA": "META"}, ("DATA",),
     2000 * MB,  # fifteen million attitudes
     500 * MB,  # a million
-)  # fmt: skip
+)
 APM = Message(
     "APM", ("2.0",),
     {
@@ -109,7 +109,7 @@ APM = Message(
     {"header": "", "metadata": "", "data": "", "quaternionState": "QUAT", "eulerAngleState": "EULER",
      "angularVelocity": "ANGVEL", "spin": "SPIN", "inertia": "INERTIA", "maneuverParameters": "MAN"},
     {"META": ""}, {},
-)  # fmt: skip
+)
 ACM = Message(
     "ACM", ("2.0",),
     {
@@ -130,4 +130,4 @@ ACM = Message(
         "USER": (_USER,),
     },
     {}, {"META": ""}, {}, ("ATT", "COV"),
-)  # fmt: skip
+)

@@ -51,7 +51,7 @@ def read_blocks(path: Path, message: Message, convert: Convert | None = None) ->
             pass
         elif wanted and keyword != f"{wanted}_START" and (last or (name != keyword and not equals)):
             refuse(path, number, f"{wanted}_START must follow {f'{last}_STOP' if last else 'the header'}; got "
-                                 f"{shown(line[:60])}. {CHECK}")  # fmt: skip
+                                 f"{shown(line[:60])}. {CHECK}")
         elif equals:
             _put(message, blocks[0], "", keyword, value, number)
         else:
@@ -81,7 +81,7 @@ def _lines(path: Path, message: Message) -> Lines:
                 yield number, text
     except UnicodeDecodeError:
         raise FormatError(f"{path}: is not text, so it is no {message.kind} in keyword = value form. Save it as UTF-8.",
-                          ) from None  # fmt: skip
+                          ) from None
     except OSError as error:
         raise InvalidInput(f"{path}: cannot be read ({error.strerror}). Check the path.") from None
 
@@ -148,7 +148,7 @@ def _put(message: Message, block: Block, name: str, keyword: str, value: str, li
         block.values[keyword] = (value, line)
     elif not keyword.startswith("SENSOR_"):  # each sensor has its own
         refuse(block.path, line, f"{keyword} is there already, in line {block.values[keyword][1]}, and one of them "
-                                 "must be wrong. Leave out one.")  # fmt: skip
+                                 "must be wrong. Leave out one.")
     if keyword == message.version_keyword:  # before keywords of other versions are called unknown
         _check_version(message, block, line, value)
 
@@ -157,10 +157,10 @@ def _check_version(message: Message, first: Block, line: int | None, text: str) 
     keyword, versions = message.version_keyword, " or ".join(message.versions)
     if keyword not in first.values:
         refuse(first.path, line, f"an {message.kind} begins with {keyword} = {message.versions[-1]}; got "
-                                 f"{shown(text[:60])}. It is another kind of file.")  # fmt: skip
+                                 f"{shown(text[:60])}. It is another kind of file.")
     if first.text(keyword) not in message.versions:
         first.wrong(keyword, f"must be {versions} to be read here; got {shown(first.text(keyword))}",
-                    f"Have it written in version {message.versions[-1]}.")  # fmt: skip
+                    f"Have it written in version {message.versions[-1]}.")
 
 
 def _from_xml(path: Path, message: Message, root: Node) -> list[Block]:
@@ -168,7 +168,7 @@ def _from_xml(path: Path, message: Message, root: Node) -> list[Block]:
     tops = [node for node in root.walk() if node.tag == kind.lower()]
     if len(tops) != 1:
         refuse(path, root.line, f"has {len(tops)} {kind}s in it. Leave one." if tops
-               else f"is XML, and no {kind}. {CHECK}")  # fmt: skip
+               else f"is XML, and no {kind}. {CHECK}")
     blocks = [Block(path, "", tops[0].line)]
     _put(message, blocks[0], "", message.version_keyword, tops[0].attributes.get("version", ""), tops[0].line)
     for node in tops[0].walk():

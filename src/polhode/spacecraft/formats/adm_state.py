@@ -101,7 +101,7 @@ def read_acm(path: Path) -> Trajectory:
     written, rate = block.text("ATT_TYPE").upper(), block.text("RATE_TYPE", "NONE").upper()
     if written not in FAMILIES or rate not in RATES:
         block.wrong("ATT_TYPE", f"must be {' or '.join(FAMILIES)} to be read here, with the RATE_TYPE "
-                                f"{', '.join(RATES)}")  # fmt: skip
+                                f"{', '.join(RATES)}")
     times, numbers = _rows(block, first, zero)
     family, (rates, _) = FAMILIES[written], RATES[rate]
     space, body, backward = block.frames()
@@ -123,11 +123,11 @@ def _check_width(block: Block, written: str, rate: str, count: int) -> None:
     """
     if rate == ("EULER_RATE" if written == "QUATERNION" else "Q_DOT"):
         block.wrong("RATE_TYPE", f"must be ANGVEL, GYRO_BIAS, NONE or the derivative of {written} to be read here; got "
-                                 f"{rate}", "Have the rates written as ANGVEL.")  # fmt: skip
+                                 f"{rate}", "Have the rates written as ANGVEL.")
     given, wanted = block.text("NUMBER_STATES", str(count)), len(COLUMNS[FAMILIES[written]]) + RATES[rate][1]
     if given.removeprefix("+").lstrip("0") != str(count):
         block.wrong("NUMBER_STATES", f"must be how many numbers follow the time in each line, {count}; got "
-                                     f"{shown(given)}")  # fmt: skip
+                                     f"{shown(given)}")
     if count != wanted:
         block.wrong("ATT_TYPE", f"{written} with RATE_TYPE {rate} needs {wanted} numbers after the time; got {count}")
 
@@ -135,7 +135,7 @@ def _check_width(block: Block, written: str, rate: str, count: int) -> None:
 def _make(
     first: Block, blocks: list[Block], names: tuple[str, str], zero: tuple[int, int], times: Array, attitude: Array,
     velocity: Array | None, doubts: list[str],
-) -> Trajectory:  # fmt: skip
+) -> Trajectory:
     system = first.text("TIME_SYSTEM")
     frame, more = _body(blocks, names[1])
     momentum = None if frame is None or velocity is None else velocity @ frame.inertia
@@ -145,12 +145,12 @@ def _make(
     labels = AttitudeLabels(
         first.text("OBJECT_NAME"), identifier or None, first.text("CENTER_NAME", "") or None, *names,
         shortest(zero, system), system, first.text("ORIGINATOR", "") or None, None,
-    )  # fmt: skip
+    )
     return Trajectory(
         times, states, layout, attitude, momentum, velocity, outcome=Outcome(Ending.RECORDED, message="; ".join(
             [*doubts, *more])), source=Recording(labels.object_name, labels), frame=frame,
         axes=None if frame is None else np.asarray(frame.axes),
-    )  # fmt: skip
+    )
 
 
 def _turn(block: Block, meaning: Meaning, columns: Array) -> tuple[Array, Array | None]:
@@ -170,7 +170,7 @@ def _states(block: Block) -> list[_State]:
         along = plain(block.text("ANGVEL_FRAME", body))
         if along not in (plain(body), plain(space)):
             block.wrong("ANGVEL_FRAME", f"must be one of the two frames, {space} or {body}, to be read here; got "
-                                        f"{shown(along)}", f"Have the rates written along {body}.")  # fmt: skip
+                                        f"{shown(along)}", f"Have the rates written along {body}.")
         velocity = np.radians(block.numbers(VELOCITY))
         return [_State(block, space, body, None, -velocity if backward else velocity, along != plain(body))]
     if family == "SPIN" and backward:
@@ -189,7 +189,7 @@ def _doubt_attitude(taken: _State, other: _State) -> str:
     pairs = [(plain(state.space), plain(state.body)) for state in (taken, other)]
     if pairs[0] != pairs[1]:
         return (f"it has attitudes between other frames too, {other.space} and {other.body}, and that between "
-                f"{taken.space} and {taken.body} is taken")  # fmt: skip
+                f"{taken.space} and {taken.body} is taken")
     apart = float(rotation.angle_between(taken.attitude, other.attitude))
     return f"its attitudes differ by {apart:.3g} rad, and the first is taken" if apart > LIMITS.max_angle else ""
 
@@ -204,13 +204,13 @@ def _along_body(state: _State, known: _State) -> Array:
     if plain(state.body) != plain(known.body):
         keyword = "REF_FRAME_B" if state.block.text("REF_FRAME_B") == state.body else "REF_FRAME_A"
         state.block.wrong(keyword, f"must be that of the attitude, {known.body}, for its rates to be read; got "
-                                   f"{shown(state.body)}", f"Have the rates written for {known.body}.")  # fmt: skip
+                                   f"{shown(state.body)}", f"Have the rates written for {known.body}.")
     if not state.in_space:
         return state.velocity
     if plain(state.space) != plain(known.space):
         state.block.wrong("ANGVEL_FRAME", f"must be the body's frame, or the one that the attitude is relative to, "
                                           f"{known.space}; got {shown(state.space)}",
-                          f"Have the rates written along {state.body}.")  # fmt: skip
+                          f"Have the rates written along {state.body}.")
     return rotation.rotate(rotation.conjugate(known.attitude), state.velocity)
 
 

@@ -72,7 +72,7 @@ def write_aem(
     if is_in_spacecraft(labels.reference_frame) and not is_in_spacecraft(labels.body_frame):
         raise InvalidInput(f"`reference_frame` {labels.reference_frame} has a name for frames of a spacecraft, and "
                            f"`body_frame` {labels.body_frame} has not: readers would take one for the other. "
-                           "Rename one.")  # fmt: skip
+                           "Rename one.")
     single_attitude(trajectory, "an AEM")
     epoch = _epoch(labels)
     whole, picoseconds = later(epoch, trajectory.times)
@@ -177,7 +177,7 @@ def _printable(line: str, name: str, value: str) -> str:
     if not (value.isascii() and value.isprintable() and len(line) <= LIMITS.max_length):
         raise InvalidInput(f"`{name}` must be one line of printable ASCII, at most {LIMITS.max_length} characters with "
                            "its keyword, in an AEM; "
-                           f"got {shown(value)}. Write it in ASCII.")  # fmt: skip
+                           f"got {shown(value)}. Write it in ASCII.")
     return line
 
 

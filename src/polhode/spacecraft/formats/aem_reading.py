@@ -65,7 +65,7 @@ def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
     alike = ("OBJECT_NAME", "OBJECT_ID", "REF_FRAME_A", "REF_FRAME_B", "TIME_SYSTEM", "ATTITUDE_DIR")
     if len({tuple(plain(block.text(name, "")) for name in alike) for block, _ in segments}) > 1:
         refuse(path, None, f"its {len(segments)} segments are about different objects, frames or time systems. "
-                           f"{ONE_ALONE}")  # fmt: skip
+                           f"{ONE_ALONE}")
     start = segments[0][0].epoch("START_TIME")
     times, attitude, velocity = _join(path, [_history(*one, start) for one in segments])
     left_out = sum(int((~_useable(*one)).sum()) for one in segments)
@@ -74,7 +74,7 @@ def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
     return Trajectory(
         times, attitude, StateLayout((ATTITUDE,)), attitude, angular_velocity=velocity,
         outcome=Outcome(Ending.RECORDED, message=message), source=Recording(labels.object_name, labels=labels),
-    )  # fmt: skip
+    )
 
 
 def _kind(block: Block) -> str:
@@ -112,7 +112,7 @@ def _convert_rows(block: Block) -> tuple[Array, ...]:
         _check_metadata(block)
     kind, time_system = _kind(block), block.time_system
     instants, columns, lines = block.read_rows(
-        lambda word: read_epoch(word, time_system), len(COLUMNS[kind]), "as ATTITUDE_TYPE says")  # fmt: skip
+        lambda word: read_epoch(word, time_system), len(COLUMNS[kind]), "as ATTITUDE_TYPE says")
     return instants.reshape(-1, 2), columns.reshape(-1, len(COLUMNS[kind])), lines
 
 
@@ -146,7 +146,7 @@ def _join_parts(block: Block) -> _Samples:
     ascending = (steps > 0) | ((steps == 0) & (parts_of_second > 0))
     if not ascending.all():
         refuse(block.path, int(lines[1:][~ascending][0]), "epochs must ascend, without repetition; this one does not "
-                                                          f"come after the one before. {CHECK}")  # fmt: skip
+                                                          f"come after the one before. {CHECK}")
     return _Samples(instants[:, 0], instants[:, 1], columns, lines)
 
 
@@ -217,16 +217,16 @@ def _interpret(block: Block) -> Meaning:
     if family == "SPIN":
         if backward:
             block.wrong("ATTITUDE_TYPE", "of spin data wants the body as frame B and space as frame A; here it is the "
-                                         "other way round", IN_VERSION_2)  # fmt: skip
+                                         "other way round", IN_VERSION_2)
         return Meaning(kind)
     sequence = block.sequence() if family == "EULER_ANGLE" else None
     scalar_first = family == "QUATERNION" and "FIRST" == _choice(
-        block, "QUATERNION_TYPE", ("FIRST", "LAST"), "LAST", "the scalar is the last")  # fmt: skip
+        block, "QUATERNION_TYPE", ("FIRST", "LAST"), "LAST", "the scalar is the last")
     if rates != "ANGVEL":
         return Meaning(kind, sequence, scalar_first, False, backward)
     if _is_old(block) and backward:
         block.wrong("ATTITUDE_TYPE", "with rates leaves open in version 1.0 which frame they are of when the rotation "
-                                     "is from body to space", IN_VERSION_2)  # fmt: skip
+                                     "is from body to space", IN_VERSION_2)
     keyword = "RATE_FRAME" if _is_old(block) else "ANGVEL_FRAME"
     frame = plain(block.text(keyword, ""))
     names = {"REF FRAME A": block.text("REF_FRAME_A"), "REF FRAME B": block.text("REF_FRAME_B")}

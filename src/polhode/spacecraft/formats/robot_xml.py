@@ -152,7 +152,7 @@ def from_fixed_angles(angles: Float64[Array, "3"]) -> Float64[Array, "3 3"]:
         [c * b, c * t * s - u * a, c * t * a + u * s],
         [u * b, u * t * s + c * a, u * t * a - c * s],
         [-t, b * s, b * a],
-    ])  # fmt: skip
+    ])
 
 
 def unit_vector(where: str, what: str, vector: Float64[Array, "3"]) -> Float64[Array, "3"]:
@@ -225,7 +225,7 @@ def join_links(path: Path, links: Sequence[tuple[Frame, Body | MassProperties]])
         one.placed(frame.turn, frame.place) if isinstance(one, Body)
         else one._replace(center_of_mass=frame.turn @ one.center_of_mass + frame.place)
         for frame, one in links
-    ]  # fmt: skip
+    ]
     try:
         return combine(placed)
     except InvalidInput as error:
@@ -279,7 +279,7 @@ def _warn_beyond_limits(path: Path, known: Mapping[str, Motion], positions: Mapp
         warnings.warn(
             f"{path}: joints are beyond their limits: {'; '.join(beyond[: LIMITS.max_named])}{more}. The mass "
             "properties are those of this pose; to give another one, set them under `joints`.", stacklevel=2,
-        )  # fmt: skip
+        )
 
 
 def _follow(path: Path, known: Mapping[str, Motion], positions: Mapping[str, float], name: str) -> float:

@@ -62,7 +62,7 @@ def read_sdf_inertial(path: str | Path, link: str | None = None, digits: int | N
         if len(links) != 1:
             raise InvalidInput(f"{path}: has {len(links)} links; name one as `link`, or take all of them "
                                "together at a pose "
-                               f"with `joints`: {have}.")  # fmt: skip
+                               f"with `joints`: {have}.")
         link = next(iter(links))
     if link not in links:
         raise InvalidInput(f"{path}: has no link {shown(link)}; it has {have}.")
@@ -165,7 +165,7 @@ class _Poses:
     def __init__(self, path: Path, model: ET.Element) -> None:
         self.path = path
         self.elements = {(tag, name): element for tag in ("link", "joint", "frame")
-                         for name, element in _elements_by_name(path, model, tag).items()}  # fmt: skip
+                         for name, element in _elements_by_name(path, model, tag).items()}
 
     def of(self, name: str, above: tuple[str, ...] = ()) -> Frame:
         """Return an element's frame in the model."""

@@ -158,7 +158,7 @@ def _write_segment(spice: Any, path: Path, labels: AttitudeLabels, records: _Rec
     handle = spice.ckopn(str(path), "polhode", 0)
     try:
         spice.ckw03(handle, ticks[0], ticks[-1], instrument(labels), reference(labels), velocity is not None, "POLHODE",
-                    len(ticks), ticks, quaternions, rates, len(starts), starts)  # fmt: skip
+                    len(ticks), ticks, quaternions, rates, len(starts), starts)
         spice.ckcls(handle)
     except BaseException as error:
         spice.dafcls(handle)  # a kernel without segments cannot be closed as one

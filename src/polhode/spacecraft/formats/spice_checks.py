@@ -126,7 +126,7 @@ def _segments(path: Path, head: bytes, order: str, doubles: Array) -> Iterator[S
             part = np.asarray(summary[3 + 5 * k : 8 + 5 * k])
             integers = np.frombuffer(part[2:].tobytes(), dtype=f"{order}i4").tolist()
             one = Segment(float(part[0]), float(part[1]), integers[0], integers[1], integers[2], integers[3] == 1,
-                          integers[4], integers[5])  # fmt: skip
+                          integers[4], integers[5])
             if not per_record < one.start <= one.end < min(free, len(doubles) + 1):
                 _refuse(path, f"a segment is at {one.start} to {one.end}, of {len(doubles)} numbers")
             yield one

@@ -29,7 +29,7 @@ from polhode.types import Array
 BEGINNINGS = (b"DAF/CK", b"NAIF/DAF")
 LARGEST_FILE = 2000 * MB  # as much as SPICE addresses by four bytes
 NEEDED = ("It needs the clock kernel (.tsc) of its spacecraft, often a frame kernel (.tf): put them next to it under "
-          "its name, or give `sclk`, `fk`, `lsk` of `polhode.spacecraft.read_ck`.")  # fmt: skip
+          "its name, or give `sclk`, `fk`, `lsk` of `polhode.spacecraft.read_ck`.")
 
 
 class CalendarLimits(NamedTuple):
@@ -72,10 +72,10 @@ def read_ck(
     if not begun.startswith(BEGINNINGS):
         raise FormatError(f"{path}: is not a C-kernel, as it does not begin with DAF/CK. Check the file.")
     kernels = {name: _beside(path, name, ending, chosen) for (name, ending), chosen in
-             zip(KINDS.items(), (fk, sclk, lsk), strict=True)}  # fmt: skip
+             zip(KINDS.items(), (fk, sclk, lsk), strict=True)}
     if kernels["clock"] is None:
         raise InvalidInput(f"{path}: needs the clock kernel of its spacecraft. Put it next to this one under its name, "
-                           "or give `sclk` of `polhode.spacecraft.read_ck`.")  # fmt: skip
+                           "or give `sclk` of `polhode.spacecraft.read_ck`.")
     segments = check_ck(path)
     with tempfile.TemporaryDirectory(prefix="polhode-") as folder:
         if kernels["leap seconds"] is None:
@@ -92,7 +92,7 @@ def _load(path: Path, kernels: Sequence[Path], segments: Sequence[Segment], spic
             clock = int(spice.ckmeta(number, "SCLK"))
             if _pool(spice, f"SCLK_DATA_TYPE_{-clock}") is None:
                 raise FormatError(f"{path}: no kernel loaded with it has its clock, of number {clock}. Check the "
-                                  "clock kernel (.tsc).")  # fmt: skip
+                                  "clock kernel (.tsc).")
             return _sample(spice, path, number, clock, _ticks(path, segments), segments)
     except InvalidInput:
         raise
@@ -120,7 +120,7 @@ def _whose(path: Path, segments: Sequence[Segment], spice_id: int | None) -> int
     held = ", ".join(map(str, numbers[:20])) or "none"
     came = "none was asked for" if spice_id is None else f"got {spice_id}"
     raise InvalidInput(f"{path}: holds attitudes of the numbers {held}; {came}. Choose one with `spice_id` of "
-                       "`polhode.spacecraft.read_ck`.")  # fmt: skip
+                       "`polhode.spacecraft.read_ck`.")
 
 
 def _ticks(path: Path, segments: Sequence[Segment]) -> Array:
@@ -158,11 +158,11 @@ def _sample(spice: Any, path: Path, number: int, clock: int, ticks: Array, segme
         object_name=_name(spice, number), reference_frame="EME2000" if reference == "J2000" else reference,
         body_frame=_frame(spice, number), epoch=epoch, time_system=system,
         spice_id=number // 1000 if number % 1000 == 0 else number, object_id=None, originator=None,
-    )  # fmt: skip
+    )
     return Trajectory(
         times, attitude, StateLayout((ATTITUDE,)), attitude, angular_velocity=velocity,
         outcome=Outcome(Ending.RECORDED), source=Recording(labels.object_name, labels=labels),
-    )  # fmt: skip
+    )
 
 
 def _continuous(attitude: Array) -> Array:

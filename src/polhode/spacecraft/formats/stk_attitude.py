@@ -64,7 +64,7 @@ def read_stk(path: str | Path) -> Trajectory:
     clock = group.keywords.get("timeformat", "EpSec").lower()
     if clock != "epsec" and clock not in DATED:
         raise FormatError(f"{path}: TimeFormat must be EpSec, UTCG or ISO-YMD to be read here; got "
-                          f"{shown(group.keywords['timeformat'])}. Write the file in EpSec.")  # fmt: skip
+                          f"{shown(group.keywords['timeformat'])}. Write the file in EpSec.")
     ahead = DATED.get(clock, 1)
     numbers = np.array([_numbers(path, line, words[ahead:], group.kind) for line, words in group.rows])
     epoch = _read_scenario_epoch(path, group.keywords)
@@ -80,11 +80,11 @@ def read_stk(path: str | Path) -> Trajectory:
     doubt = "" if still else f"its attitudes are relative to the axes {named}, which are taken as fixed in space"
     labels = None if epoch is None else AttitudeLabels(
         "", None, group.keywords.get("centralbody"), axes, "", epoch, "UTC", None, None
-    )  # fmt: skip
+    )
     return Trajectory(
         times, attitude, StateLayout((ATTITUDE,)), attitude, angular_velocity=velocity,
         outcome=Outcome(Ending.RECORDED, message=doubt), source=Recording(path.name, labels),
-    )  # fmt: skip
+    )
 
 
 def _read_group(path: Path) -> _Group:
@@ -110,7 +110,7 @@ def _read_group(path: Path) -> _Group:
                                    "AttitudeTimeEulerAngles", "AttitudeTimeYPRAngles", "AttitudeTimeDCM",
                                    "AttitudeTimeDCMAngVels"))  # fmt: skip
                 raise FormatError(f"{path}, line {number}: {words[0]} is not read here, but {known}. Export one of "
-                                  "these.")  # fmt: skip
+                                  "these.")
         elif kind is None:
             keywords[first] = " ".join(words[1:]).strip('"')
         else:
@@ -122,7 +122,7 @@ def _read_group(path: Path) -> _Group:
     count = keywords.get("numberofattitudepoints")
     if count is not None and count != str(len(rows)):
         raise FormatError(f"{path}: NumberOfAttitudePoints is {count}, and there are {len(rows)} lines of attitudes. "
-                          "Check the file.")  # fmt: skip
+                          "Check the file.")
     return _Group(keywords, kind, rows)
 
 
@@ -170,7 +170,7 @@ def _attitudes(path: Path, group: _Group, numbers: Array) -> tuple[Array, Array 
         sequence = group.keywords.get("sequence", "")
         if not _TURNS.fullmatch(sequence):
             raise FormatError(f"{path}: Sequence must be the axes of three turns, like 321, for angles; got "
-                              f"{shown(sequence or 'nothing')}. Add it.")  # fmt: skip
+                              f"{shown(sequence or 'nothing')}. Add it.")
         letters = "".join("XYZ"[int(digit) - 1] for digit in sequence)
         if group.kind == "yprangles":  # about the reference axes, and always in the order yaw, pitch, roll
             letters, numbers = letters.lower(), numbers[:, ["zyx".index(letter) for letter in letters.lower()]]
@@ -188,6 +188,6 @@ def _attitudes(path: Path, group: _Group, numbers: Array) -> tuple[Array, Array 
     if (far := ~(np.abs(lengths - 1.0) <= FAR_FROM_UNIT)).any():
         row = int(np.argmax(far))
         raise FormatError(f"{path}, line {group.rows[row][0]}: a quaternion must have length 1 to {FAR_FROM_UNIT:g}; "
-                          f"got {lengths[row]:.6g}. Check the file.")  # fmt: skip
+                          f"got {lengths[row]:.6g}. Check the file.")
     velocity = np.radians(numbers[:, 4:]) if group.kind == "quatangvels" else None
     return numbers[:, order] / lengths[:, None], velocity

@@ -101,7 +101,7 @@ def read_urdf_robot(path: str | Path, pose: Pose, digits: int | None = None) -> 
         raise FormatError(f"{path}: has no links. If it is written for xacro, let xacro expand it first.")
     if len(tops) != 1 or len(set(below)) != len(below) or len(reached) != len(names):
         raise FormatError(f"{path}: its joints must make one tree of its links, from one that is no other's child; got "
-                          f"{len(tops)} such links.")  # fmt: skip
+                          f"{len(tops)} such links.")
     inertials = {element.get("name", ""): element.find("inertial") for element in root.findall("link")}
     links: list[tuple[Frame, Callable[[], Body | MassProperties]]] = []
     waiting = [(tops[0], Frame())]
@@ -232,7 +232,7 @@ def _find_inertial(path: Path, root: ET.Element, link: str | None) -> tuple[str,
     inertial = links[names.index(link)].find("inertial")
     if inertial is None:
         raise FormatError(f"{path}: link {shown(link)} has no <inertial>, so no mass; links that have are "
-                          f"{', '.join(massive) or 'none'}.")  # fmt: skip
+                          f"{', '.join(massive) or 'none'}.")
     return link, inertial
 
 

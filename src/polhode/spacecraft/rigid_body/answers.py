@@ -170,11 +170,11 @@ class RigidBodyReport(MotionReport):
             yield (f"the body was turned by up to {degrees(float(slew[k]), 4)} from its target, at "
                    f"{duration(float(self.trajectory.times[k]))}, and quaternion-pd turns it back the way it went, "
                    f"although only {degrees(math.tau - float(slew[k]), 4)} were left the other way: it chooses the "
-                   "shorter way at the start, and keeps it.")  # fmt: skip
+                   "shorter way at the start, and keeps it.")
         past = [k + 1 for k, margin in enumerate(self._rate_margins()) if margin is not None and margin < 0.0]
         if past:
             yield (f"{'wheel' if len(past) == 1 else 'wheels'} {', '.join(map(str, past))} turned past max_rate: no "
-                   "motor drives there, but the body, as it turns, carries rotors past it.")  # fmt: skip
+                   "motor drives there, but the body, as it turns, carries rotors past it.")
 
     def _rate_margins(self) -> list[float | None]:
         """Return the share of max_rate left to each controlled wheel, negative past it; None without max_rate."""
@@ -236,7 +236,7 @@ class RigidBodyReport(MotionReport):
             Answer("orbit.semi_major_axis", float(orbit.semi_major_axis), "m", "semi-major axis"),
             Answer("orbit.eccentricity", float(orbit.eccentricity), "", "eccentricity"),
             Answer("orbit.mean_motion", float(orbit.mean_motion), "rad/s", "mean motion"),
-        ])  # fmt: skip
+        ])
 
     def _wheels(self) -> Table:
         rates, motors, rows = self.history.rates, self.history.motors, []
@@ -247,7 +247,7 @@ class RigidBodyReport(MotionReport):
                 "rate_end": rates[-1, k], "rate_largest": fastest, "torque_largest": strongest,
                 "rate_margin": margin,
                 "torque_margin": None if wheel.max_torque is None else 1.0 - strongest / wheel.max_torque,
-            })  # fmt: skip
+            })
         units = {"axis": "direction, given axes", "rate_start": "rad/s", "rate_end": "rad/s", "rate_largest": "rad/s",
                  "torque_largest": "N m", "rate_margin": "of max_rate that is left",
                  "torque_margin": "of max_torque that is left"}  # fmt: skip
@@ -259,7 +259,7 @@ class RigidBodyReport(MotionReport):
             "torque, largest": lambda row: number(row["torque_largest"], "N m", digits=4) or "–",
             "left of rate": lambda row: share(row["rate_margin"]),
             "of torque": lambda row: share(row["torque_margin"]),
-        }, rows, units)  # fmt: skip
+        }, rows, units)
 
     def _torques(self) -> Table:
         names = [chosen.type for chosen in self.spec.system.torque]
@@ -273,7 +273,7 @@ class RigidBodyReport(MotionReport):
         cell = lambda key: lambda row: number(row[key], "N m", digits=4) or "–"  # noqa: E731
         columns = {"torque": lambda row: row["type"], "largest": cell("largest"), "mean": cell("mean")}
         return Table("torques", "Torques about the centre of mass, at the samples", columns, rows,
-                     {"largest": "N m", "mean": "N m"})  # fmt: skip
+                     {"largest": "N m", "mean": "N m"})
 
     def _control(self) -> Group:
         error, times = self.history.pointing, np.asarray(self.trajectory.times)
@@ -296,7 +296,7 @@ class RigidBodyReport(MotionReport):
                 Answer("control.within", self.within, "rad"),
                 Answer("control.settling_time", self.settling_time, "s", f"settled below {angle(self.within)} after",
                        "from when on the error stays below `within`, at a sample"),
-            ]  # fmt: skip
+            ]
         if self.history.rates.shape[1]:
             power = self.history.power
             used = float(np.sum(0.5 * (power[1:] + power[:-1]) * np.diff(times)))
@@ -305,7 +305,7 @@ class RigidBodyReport(MotionReport):
                        "sum of |torque × rate|, none given back"),
                 Answer("control.power.used", used, "J", "energy that they use, summed over the samples",
                        "trapezoidal sum; more samples, a better one"),
-            ]  # fmt: skip
+            ]
         return Group("Control", answers)
 
     def _modes(self, loop: LinearLoop) -> Table:
@@ -315,7 +315,7 @@ class RigidBodyReport(MotionReport):
             if imaginary >= 0.0:
                 size = math.hypot(real, imaginary)
                 rows.append({"real": real, "imaginary": imaginary, "frequency": size,
-                             "damping": (0.0 - real) / size if size else 0.0})  # fmt: skip
+                             "damping": (0.0 - real) / size if size else 0.0})
         units = {"real": "1/s", "imaginary": "rad/s", "frequency": "rad/s", "damping": "of critical"}
         columns = {
             "eigenvalue": lambda row: f"{row['real']:.5g} ± {row['imaginary']:.5g} i /s" if row["imaginary"] else (
@@ -343,7 +343,7 @@ class RigidBodyReport(MotionReport):
             "grow to": lambda row: f"× {row['gain_up']:.4g}" if math.isfinite(row["gain_up"]) else "any",
         }
         return Table("margins", "Margins of the loop about each given axis, the others closed", columns, rows, units,
-                     key="axis")  # fmt: skip
+                     key="axis")
 
     def _motion(self) -> Group:
         history, energy = self.history, self._energy()
@@ -370,7 +370,7 @@ class RigidBodyReport(MotionReport):
                        "given axes from nadir axes at the start"),
                 *from_motion(self.trajectory, [
                     Answer("from_nadir.largest", float(history.from_nadir.max()), "rad", "largest, at the samples")]),
-            ]  # fmt: skip
+            ]
         return Group("Motion", [*answers, *accuracy(self.trajectory, "drift of conserved and balanced quantities")])
 
     def _energy(self) -> Array:

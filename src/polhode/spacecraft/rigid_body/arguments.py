@@ -84,7 +84,7 @@ def make_part(part: type[AbstractAttachment], values: Mapping[str, Any], elsewhe
     """
     given = {name: value for name, value in values.items() if value is not None and name not in part.start_arguments}
     more = {name: value for name, value in elsewhere.items()
-            if name in _parameters(part) and name not in part.arguments and value is not None}  # fmt: skip
+            if name in _parameters(part) and name not in part.arguments and value is not None}
     return part.from_table(**given, **more)
 
 

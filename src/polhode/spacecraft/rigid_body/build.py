@@ -100,7 +100,7 @@ def build(spec: Spec[RigidBodyTable]) -> Craft:
     return Craft(
         system, np.asarray(state), orbit, acting if wheels is None else wheels.law, wheels,
         (*controlled, *(wheel for _, wheel in others)),
-    )  # fmt: skip
+    )
 
 
 def make_orbit(table: OrbitTable) -> KeplerOrbit:
@@ -122,7 +122,7 @@ def make_orbit(table: OrbitTable) -> KeplerOrbit:
             "eccentricity, or give the gravitational_parameter of another body."
         )
     rate = math.sqrt(table.gravitational_parameter / size) / size if table.period is None else (
-        2.0 * math.pi / table.period)  # fmt: skip
+        2.0 * math.pi / table.period)
     return KeplerOrbit(
         rate, table.eccentricity, table.mean_anomaly, table.inclination, table.node, table.periapsis, size
     )

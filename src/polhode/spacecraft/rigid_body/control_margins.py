@@ -177,7 +177,7 @@ def _margins(loop: LinearLoop, k: int) -> Margins:
     return Margins(
         max(crossings, default=None), min(phases, default=None), min(delays, default=None),
         min((x for x in factors if x > 1.0), default=math.inf), max((x for x in factors if x < 1.0), default=0.0),
-    )  # fmt: skip
+    )
 
 
 def _roots(function: Any, values: Array, frequencies: Array) -> list[float]:

@@ -18,11 +18,11 @@ def draw_rates(report: RigidBodyReport) -> Figure:
     figure, panels, times = _begin(report, 2)
     for axes, values, name, unit in (
         (panels[0], report.history.velocity, "Ω", "rad/s"), (panels[1], report.history.momentum, "L", "kg m²/s"),
-    ):  # fmt: skip
+    ):
         power = style.power_of_ten(values)
         for k in range(3):
             axes.plot(times, values[:, k] / 10.0**power, color=style.AXIS_COLOURS[k], lw=1.0,
-                      ls=("-", "--", "-.")[k], label="xyz"[k])  # fmt: skip
+                      ls=("-", "--", "-.")[k], label="xyz"[k])
         axes.set_ylabel(f"{name}  [{style.factor(power)}{unit}]")
     return _finish(figure, panels, 3)
 
@@ -76,7 +76,7 @@ def _finish(figure: Figure, panels: list[Any], columns: int) -> Figure:
         style.tidy(axes)
     if columns:
         figure.legend(*panels[0].get_legend_handles_labels(), loc="outside upper center", ncols=columns,
-                      fontsize=style.FONT - 1, frameon=False, handlelength=2.2)  # fmt: skip
+                      fontsize=style.FONT - 1, frameon=False, handlelength=2.2)
     return figure
 
 

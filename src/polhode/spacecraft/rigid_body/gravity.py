@@ -91,7 +91,7 @@ def judge_gravity(craft: Craft, trajectory: Trajectory) -> GravityAnswers:
         Answer("gravity.escape_energy", most, "J"),
         Answer("gravity.stays", trapped, "", "stays for ever", "by the Jacobi integral",
                "yes, by the Jacobi integral" if trapped else "not proved"),
-    ])  # fmt: skip
+    ])
     swings = f"within {degrees(float(away.max()), 4)} of it in this motion"
     if trapped:
         said = f"The rest nearest to the start is stable, and by the Jacobi integral it can never leave it; {swings}."
@@ -118,7 +118,7 @@ def _axis_of_symmetry(moments: Float64[np.ndarray, "3"]) -> int | None:
 
 def _judge_axis(
     moments: Float64[np.ndarray, "3"], axis: int, mean_motion: float, spin: float, axes: Float64[np.ndarray, "time 3"]
-) -> GravityAnswers:  # fmt: skip
+) -> GravityAnswers:
     """Return the answers about a symmetric body: its rate about the axis stays, and the axis can rest in the frame.
 
     Args:
@@ -146,7 +146,7 @@ def _judge_axis(
         Answer("gravity.axis_periods", periods or None, "s", "periods of small motions of the axis"),
         Answer("gravity.from_rest.start", float(angles[0]), "rad", "angle from the rest at the start"),
         Answer("gravity.from_rest.largest", float(angles.max()), "rad", "largest, at the samples"),
-    ])  # fmt: skip
+    ])
     swings = f"within {degrees(float(angles.max()), 4)} of it in this motion"
     why = {
         STATIC: "stable, as its energy at this spin is the least",

@@ -102,7 +102,7 @@ def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: 
     motors = [
         mount.holding_torque(acceleration)[..., None] if isinstance(mount, HeldWheel)
         else mount.motor_torques(times, body.attitude, velocity, own) for mount, own in owned
-    ]  # fmt: skip
+    ]
     empty = jnp.zeros((*times.shape, 0))
     each = [jnp.linalg.norm(x, axis=-1)[..., None] for x in system.torques_apart(times, states)]
     return {

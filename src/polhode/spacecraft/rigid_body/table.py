@@ -119,7 +119,7 @@ def model_of(raw: dict[str, Any]) -> type[BaseModel]:
     """Return the model of raw tables, in which each torque, mount and law has the keys of its class."""
     lists = {key: raw.get(key, []) for key in LISTS}
     models = {key: tuple(_model_of(LISTS[key], entry, "type") for entry in entries)
-              for key, entries in lists.items() if isinstance(entries, list)}  # fmt: skip
+              for key, entries in lists.items() if isinstance(entries, list)}
     control = _model_of(LAWS, raw["control"], "law", ControlBase) if "control" in raw else None
     return _join_models(tuple(models.items()), control)
 

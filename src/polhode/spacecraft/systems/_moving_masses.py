@@ -81,7 +81,7 @@ class Burned(NamedTuple):
 def arrange(
     parts: Sequence[AbstractMovingPart], owns: Sequence[Array], carrier: Array, center: Array, mass: Array,
     burned: Sequence[Burned] = (),
-) -> Arrangement:  # fmt: skip
+) -> Arrangement:
     """Return the arrangement of the parts, with the inertia that follows from it.
 
     Args:
@@ -182,7 +182,7 @@ def velocities(
 def slopes(
     parts: Sequence[AbstractMovingPart], owns: Sequence[Array], arrangement: Arrangement, velocity: Array,
     rates: Vectors,
-) -> Vectors:  # fmt: skip
+) -> Vectors:
     """Return ∂(T − V)/∂q_j (…) at fixed Ω and q̇, with the spin momentum that a part may carry.
 
     With v = Ω × ρ + ṙ of a part and v_c = Ω × d + ḋ of the centre of mass, both relative to their places at rest,

@@ -146,7 +146,7 @@ class AbstractPackedBody(AbstractSystem):
         rates: Sequence[Real[ArrayLike, "..."] | None] | None = None,
         actuators: Sequence[Real[ArrayLike, "..."] | None] | None = None,
         coordinates: Sequence[Real[ArrayLike, "..."] | None] | None = None,
-    ) -> Float64[Array, "... n"]:  # fmt: skip
+    ) -> Float64[Array, "... n"]:
         """Return packed states (…, n), from values along the given axes; for a body from moments, the principal.
 
         Args:
@@ -188,7 +188,7 @@ class AbstractPackedBody(AbstractSystem):
         parts = [mount for mount, _ in pairs if isinstance(mount, AbstractMovingPart)]
         states = [own for mount, own in pairs if isinstance(mount, AbstractMovingPart)]
         burned = [Burned(mount.full - own[..., 0], mount.place, mount.inertia_per_mass)
-                  for mount, own in pairs if isinstance(mount, Propellant)]  # fmt: skip
+                  for mount, own in pairs if isinstance(mount, Propellant)]
         if not (parts or burned):
             return None
         carrier = self.carrier
@@ -362,7 +362,7 @@ class AbstractPackedBody(AbstractSystem):
 def _pack(
     body: AbstractPackedBody, attitude: Array | None, velocity: Array, momentum: Array | None,
     rates: list[Array | None], places: list[Array | None], actuators: list[Array],
-) -> Array:  # fmt: skip
+) -> Array:
     """Return packed states of arguments that ``pack`` has checked; of Ω only where the momentum is None."""
     arrangement = body._arranged([_at_start(x, q) for x, q in zip(body.mounts, places, strict=True)])
     if momentum is not None:

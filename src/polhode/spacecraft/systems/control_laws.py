@@ -57,12 +57,12 @@ class AbstractControlLaw(AbstractAttachment):
     @abc.abstractmethod
     def wanted(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         """Return the commanded torque on the body (…, 3) [N m, body axes]."""
 
     def state_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
-    ) -> Float64[Array, "*batch {self.state_size}"]:  # fmt: skip
+    ) -> Float64[Array, "*batch {self.state_size}"]:
         """Return the rate of its own state (…, n); zero by default."""
         return jnp.zeros_like(own)
 
@@ -166,7 +166,7 @@ class QuaternionPD(AbstractControlLaw):
         bandwidth: float | None = None, damping: float | None = None,
         target: str = "inertial", attitude: Real[ArrayLike, "4"] = (1.0, 0.0, 0.0, 0.0),
         orbit: KeplerOrbit | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         if target not in TARGETS:
             raise InvalidInput(f'`target` must be "inertial" or "nadir"; got {shown(target)}.')
         if target == "nadir" and not isinstance(orbit, KeplerOrbit):
@@ -210,7 +210,7 @@ class QuaternionPD(AbstractControlLaw):
 
     def wanted(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         assert attitude is not None, NEEDED
         if self.gain is None or self.rate_gain is None:
             raise InvalidInput("a law with a `bandwidth` has its gains once it is put on a body, by `RigidBody`.")
@@ -248,7 +248,7 @@ class RateControl(AbstractControlLaw):
     def __init__(
         self, angular_velocity: Real[ArrayLike, "3"] = (0.0, 0.0, 0.0), rate_gain: Real[ArrayLike, "..."] | None = None,
         bandwidth: float | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         if (rate_gain is None) == (bandwidth is None):
             raise InvalidInput("give `rate_gain` or `bandwidth`, one of the two.")
         self.aim = checked_vector("angular_velocity", angular_velocity)
@@ -271,7 +271,7 @@ class RateControl(AbstractControlLaw):
 
     def wanted(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         if self.rate_gain is None:
             raise InvalidInput("a law with a `bandwidth` has its gain once it is put on a body, by `RigidBody`.")
         return -(angular_velocity - self.aim) @ self.rate_gain
@@ -304,7 +304,7 @@ class UserLaw(AbstractControlLaw):
     def __init__(
         self, command: Any, state_rate: Any = None, state_size: int = 0,
         jumps: Real[ArrayLike, "jumps"] = (),
-    ) -> None:  # fmt: skip
+    ) -> None:
         for name, function in (("command", command), ("state_rate", state_rate)):
             if not callable(function) and not (name == "state_rate" and function is None):
                 raise InvalidInput(
@@ -328,12 +328,12 @@ class UserLaw(AbstractControlLaw):
 
     def wanted(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         return self.command(t, attitude, angular_velocity, own)
 
     def state_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Own
-    ) -> Float64[Array, "*batch {self.state_size}"]:  # fmt: skip
+    ) -> Float64[Array, "*batch {self.state_size}"]:
         if self.own_rate is None:
             return jnp.zeros_like(own)
         return self.own_rate(t, attitude, angular_velocity, own)

@@ -67,7 +67,7 @@ class ControlledWheels(AbstractLawActuator, AbstractMount):
         self, axes: Real[ArrayLike, "wheels 3"], moments: Real[ArrayLike, "*wheels"], law: Any,
         max_torque: Real[ArrayLike, "*wheels"] | None = None, max_rate: Real[ArrayLike, "*wheels"] | None = None,
         friction: Real[ArrayLike, "*wheels"] = 0.0,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.axes, self.law = checked_directions("axes", axes), checked_law(law)
         count = len(self.axes)
         self.moments = jnp.broadcast_to(checked_numbers("moments", moments, count, 0.0, unit="kg m²"), count)
@@ -203,12 +203,12 @@ class ControlTorque(AbstractLawActuator, AbstractTorque):
 
     def state_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own
-    ) -> Float64[Array, "*batch {self.state_size}"]:  # fmt: skip
+    ) -> Float64[Array, "*batch {self.state_size}"]:
         return self.law.state_rate(t, attitude, angular_velocity, actuator)
 
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         own = jnp.zeros((*angular_velocity.shape[:-1], 0)) if actuator is None else actuator
         wanted = self.law.wanted(t, attitude, angular_velocity, own)
         return wanted if self.limit is None else jnp.clip(wanted, -self.limit, self.limit)

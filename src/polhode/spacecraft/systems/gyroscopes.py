@@ -94,7 +94,7 @@ class ControlMomentGyroscope(AbstractMovingPart):
         self, gimbal_axis: Real[ArrayLike, "3"], rotor: Wheel | HeldWheel, moments: Real[ArrayLike, "3"],
         gimbal_torque: float | Drive | None = None, gimbal_rate: float | Drive | None = None,
         bandwidth: float | None = None, friction: float = 0.0, jumps: Real[ArrayLike, "jumps"] = (),
-    ) -> None:  # fmt: skip
+    ) -> None:
         if not isinstance(rotor, Wheel | HeldWheel):
             raise InvalidInput(f"`rotor` must be a polhode.spacecraft.Wheel or HeldWheel; got {shown(rotor)}.")
         self.gimbal_axis, self.rotor = checked_direction("gimbal_axis", gimbal_axis), rotor
@@ -136,7 +136,7 @@ class ControlMomentGyroscope(AbstractMovingPart):
         cls, gimbal_axis: Real[ArrayLike, "3"], spin_axis: Real[ArrayLike, "3"], rotor_moment: float, rotor_rate: float,
         moments: Real[ArrayLike, "3"], rotor: str = "held", gimbal_torque: float | None = None,
         gimbal_rate: float | None = None, bandwidth: float | None = None, friction: float = 0.0,
-    ) -> Self:  # fmt: skip
+    ) -> Self:
         """Return the gyroscope of a spec, whose rotor is held at a rate, or free and has it at the start."""
         spun = Wheel(spin_axis, rotor_moment) if rotor == "free" else HeldWheel(spin_axis, rotor_moment, rotor_rate)
         return cls(gimbal_axis, spun, moments, gimbal_torque, gimbal_rate, bandwidth, friction)
@@ -222,7 +222,7 @@ class ControlMomentGyroscope(AbstractMovingPart):
     def applied(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Float64[Array, "*#batch {self.state_size}"],
         rate: Float64[Array, "*#batch {self.count}"],
-    ) -> Float64[Array, "*batch {self.count}"]:  # fmt: skip
+    ) -> Float64[Array, "*batch {self.count}"]:
         drive, turning = self.drive, rate[..., 0]
         if callable(drive):
             assert attitude is not None, "a drive by a function needs the attitude"
@@ -235,19 +235,19 @@ class ControlMomentGyroscope(AbstractMovingPart):
     def further_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Float64[Array, "*#batch {self.state_size}"],
         rate: Float64[Array, "*#batch {self.count}"],
-    ) -> Float64[Array, "*batch {self.further_count}"]:  # fmt: skip
+    ) -> Float64[Array, "*batch {self.further_count}"]:
         return self._turned_rotor(own).state_rate(t, attitude, angular_velocity, own[..., 2:])
 
     def further_power(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Float64[Array, "*#batch {self.state_size}"],
         rate: Float64[Array, "*#batch {self.count}"],
-    ) -> Float64[Array, "*batch"]:  # fmt: skip
+    ) -> Float64[Array, "*batch"]:
         return self._turned_rotor(own).power(t, attitude, angular_velocity, own[..., 2:])
 
     def start_further(
         self, q: Float64[Array, "*#batch {self.count}"], rate: Float64[Array, "*#batch rates"],
         angular_velocity: Float64[Array, "*#batch 3"],
-    ) -> Float64[Array, "*batch {self.further_count}"]:  # fmt: skip
+    ) -> Float64[Array, "*batch {self.further_count}"]:
         if isinstance(self.rotor, HeldWheel):
             return jnp.zeros((*q.shape[:-1], 0))
         rotated = eqx.tree_at(lambda rotor: rotor.axis, self.rotor, self.spin_axis(q))

@@ -74,7 +74,7 @@ class HingedPart(AbstractMovingPart):
         self, hinge: Real[ArrayLike, "3"], axis: Real[ArrayLike, "3"], center: Real[ArrayLike, "3"], mass: float,
         inertia: Real[ArrayLike, "3 3"] | None = None, stiffness: float = 0.0, damping: float = 0.0,
         motor: float | HingeMotor | None = None, jumps: Real[ArrayLike, "jumps"] = (),
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.hinge, self.axis = checked_vector("hinge", hinge), checked_direction("axis", axis)
         self.arm = checked_vector("center", center) - self.hinge
         self.mass = checked_number("mass", mass, 0.0, unit="kg")
@@ -88,7 +88,7 @@ class HingedPart(AbstractMovingPart):
         own = 0.0 if self.inertia_at_rest is None else float(self.axis @ self.inertia_at_rest @ self.axis)
         if not float(self.mass * jnp.sum(across**2)) + own > 0.0:
             raise InvalidInput("`center` must lie off the hinge's axis, or `inertia` be more than a point's; "
-                               "got a part that turns on its axis without inertia.")  # fmt: skip
+                               "got a part that turns on its axis without inertia.")
 
     def start_of(self, values: Mapping[str, Any]) -> tuple[Any, Any]:
         return values.get("rate"), values.get("angle")
@@ -128,7 +128,7 @@ class HingedPart(AbstractMovingPart):
     def applied(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Float64[Array, "*#batch {self.state_size}"],
         rate: Float64[Array, "*#batch {self.count}"],
-    ) -> Float64[Array, "*batch {self.count}"]:  # fmt: skip
+    ) -> Float64[Array, "*batch {self.count}"]:
         motor = 0.0 if self.motor is None else self.motor
         if callable(motor):
             assert attitude is not None, "a motor by a function needs the attitude"

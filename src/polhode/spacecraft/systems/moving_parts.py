@@ -133,21 +133,21 @@ class AbstractMovingPart(AbstractMounted):
     def applied(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Float64[Array, "*#batch {self.state_size}"],
         rate: Float64[Array, "*#batch {self.count}"],
-    ) -> Float64[Array, "*batch {self.count}"]:  # fmt: skip
+    ) -> Float64[Array, "*batch {self.count}"]:
         """Return the generalised forces (…, n) on it that have no potential, as of dampers and motors."""
         return jnp.zeros_like(rate)
 
     def further_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Float64[Array, "*#batch {self.state_size}"],
         rate: Float64[Array, "*#batch {self.count}"],
-    ) -> Float64[Array, "*batch {self.further_count}"]:  # fmt: skip
+    ) -> Float64[Array, "*batch {self.further_count}"]:
         """Return the rate of the rest of its own state."""
         return jnp.zeros((*rate.shape[:-1], self.further_count))
 
     def further_power(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Float64[Array, "*#batch {self.state_size}"],
         rate: Float64[Array, "*#batch {self.count}"],
-    ) -> Float64[Array, "*batch"]:  # fmt: skip
+    ) -> Float64[Array, "*batch"]:
         """Return the power (…) [W] of the forces on the rest of its own state."""
         return jnp.zeros(rate.shape[:-1])
 
@@ -157,7 +157,7 @@ class AbstractMovingPart(AbstractMounted):
     def start_further(
         self, q: Float64[Array, "*#batch {self.count}"], rate: Float64[Array, "*#batch rates"],
         angular_velocity: Float64[Array, "*#batch 3"],
-    ) -> Float64[Array, "*batch {self.further_count}"]:  # fmt: skip
+    ) -> Float64[Array, "*batch {self.further_count}"]:
         """Return the rest of its own state at the start, of q, all rates that ``pack`` got for it, and Ω."""
         return jnp.zeros((*q.shape[:-1], self.further_count))
 
@@ -187,7 +187,7 @@ class LockedPart(AbstractMovingPart):
     def __init__(self, part: AbstractMovingPart, coordinates: Real[ArrayLike, "..."]) -> None:
         if not isinstance(part, AbstractMovingPart) or part.further_count:
             raise InvalidInput(f"`part` must be a moving part with coordinates alone; got {shown(part)}. Leave out a "
-                               "wheel that is locked, and put a `Wheel` in place of a gyroscope.")  # fmt: skip
+                               "wheel that is locked, and put a `Wheel` in place of a gyroscope.")
         require_doubles(coordinates=coordinates)
         held = np.atleast_1d(np.asarray(coordinates, dtype=float))
         if held.shape != (part.count,) or not np.isfinite(held).all():

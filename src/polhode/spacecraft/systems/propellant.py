@@ -83,7 +83,7 @@ class Propellant(AbstractMount):
         self, position: Real[ArrayLike, "3"], mass: float, nozzle: Real[ArrayLike, "3"], flow: float | Flow,
         exhaust_velocity: Real[ArrayLike, "3"] = (0.0, 0.0, 0.0), at: float | None = None, lasting: float | None = None,
         inertia: Real[ArrayLike, "3 3"] | None = None, jumps: Real[ArrayLike, "jumps"] = (),
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.place, self.nozzle = checked_vector("position", position), checked_vector("nozzle", nozzle)
         self.full = checked_number("mass", mass, 0.0, unit="kg")
         self.flow = flow if callable(flow) else checked_number("flow", flow, least=0.0, unit="kg/s")
@@ -91,7 +91,7 @@ class Propellant(AbstractMount):
         self.full_inertia = None if inertia is None else jnp.asarray(Body.from_inertia(inertia).inertia)
         if (at is None) != (lasting is None) or (at is not None and callable(flow)):
             raise InvalidInput("`at` and `lasting` go together, with a `flow` that is a number. Give both, or let the "
-                               "function of the time be zero where nothing flows.")  # fmt: skip
+                               "function of the time be zero where nothing flows.")
         self.window = None
         if at is not None and lasting is not None and not callable(self.flow):
             begin = checked_number("at", at, unit="s")
@@ -112,10 +112,10 @@ class Propellant(AbstractMount):
         if frame.mass is None:
             raise InvalidInput("a Propellant changes the mass, and so needs that of the whole body. Give the body its "
                                "`mass` beside the moments; in Python that is of the `Body` for "
-                               "`RigidBody.from_body`.")  # fmt: skip
+                               "`RigidBody.from_body`.")
         if not float(self.full) < frame.mass:
             raise InvalidInput(f"the propellant, {float(self.full):g} kg, must be part of the body, whose `mass` is "
-                               f"{frame.mass:g} kg. Give the mass of all together.")  # fmt: skip
+                               f"{frame.mass:g} kg. Give the mass of all together.")
         return self
 
     @property

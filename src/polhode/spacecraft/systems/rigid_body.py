@@ -262,7 +262,7 @@ class RigidBody(AbstractRigidBody):
         """
         if not isinstance(body, Body):
             raise InvalidInput(f"`body` must be a polhode.Body; got {shown(body)}. Make one from moments by "
-                               "`RigidBody(moments, mounts, torques)`.")  # fmt: skip
+                               "`RigidBody(moments, mounts, torques)`.")
         plain = Turn.to(np.asarray(body.principal_axes))  # by NumPy: JAX would compile each operation of it
         turn = Turn(jnp.asarray(plain.matrix), jnp.asarray(plain.quaternion))
         mass = None if body.mass is None else jnp.asarray(body.mass)

@@ -63,7 +63,7 @@ class SphericalPendulum(AbstractMovingPart):
     def __init__(
         self, pivot: Real[ArrayLike, "3"], arm: Real[ArrayLike, "3"], mass: float, stiffness: float = 0.0,
         damping: float = 0.0,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.pivot, self.arm = checked_vector("pivot", pivot), checked_vector("arm", arm)
         checked_direction("arm", arm)
         self.mass = checked_number("mass", mass, 0.0, unit="kg")
@@ -115,7 +115,7 @@ class SphericalPendulum(AbstractMovingPart):
     def applied(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Float64[Array, "*#batch {self.state_size}"],
         rate: Float64[Array, "*#batch {self.count}"],
-    ) -> Float64[Array, "*batch {self.count}"]:  # fmt: skip
+    ) -> Float64[Array, "*batch {self.count}"]:
         toward = self.along + own[..., :3]
         square = jnp.sum(toward**2, axis=-1)[..., None]
         across = rate - toward * jnp.sum(toward * rate, axis=-1)[..., None] / square

@@ -88,7 +88,7 @@ class SprungMass(AbstractMovingPart):
     def __init__(
         self, position: Real[ArrayLike, "3"], directions: Real[ArrayLike, "..."], mass: float,
         stiffness: Real[ArrayLike, "..."], damping: Real[ArrayLike, "..."] = 0.0,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.place, self.mass = checked_vector("position", position), checked_number("mass", mass, 0.0, unit="kg")
         self.directions = _checked_axes(directions)
         count = len(self.directions)
@@ -107,7 +107,7 @@ class SprungMass(AbstractMovingPart):
     def from_beam(
         cls, root: Real[ArrayLike, "3"], direction: Real[ArrayLike, "3"], length: float, mass: float,
         bending_stiffness: float, damping_ratio: float = 0.0,
-    ) -> SprungMass:  # fmt: skip
+    ) -> SprungMass:
         """Return the first bending mode of a uniform cantilever, in both directions across it.
 
         The mode has the frequency λ² √(EI/(m l³)), λ = 1.8751, and shakes its root as .6131 m at .7265 l does, which is
@@ -157,7 +157,7 @@ class SprungMass(AbstractMovingPart):
     def applied(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Float64[Array, "*#batch {self.state_size}"],
         rate: Float64[Array, "*#batch {self.count}"],
-    ) -> Float64[Array, "*batch {self.count}"]:  # fmt: skip
+    ) -> Float64[Array, "*batch {self.count}"]:
         return -self.damping * rate
 
 

@@ -79,7 +79,7 @@ class Wheel(AbstractMount):
         self, axis: Real[ArrayLike, "3"], moment: float, motor: float | Motor | None = None, friction: float = 0.0,
         jumps: Real[ArrayLike, "jumps"] = (), coulomb_friction: float = 0.0, sliding_rate: float = 1.0,
         max_torque: float | None = None, max_rate: float | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.axis, self.moment = checked_direction("axis", axis), checked_number("moment", moment, 0.0, unit="kg m²")
         self.motor = motor if motor is None or callable(motor) else checked_number("motor", motor, unit="N m")
         number = checked_number("friction", friction, least=0.0, unit="N m s")

@@ -33,7 +33,7 @@ class AbstractTorque(AbstractAttachment):
 
     def state_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own
-    ) -> Float64[Array, "*batch {self.state_size}"]:  # fmt: skip
+    ) -> Float64[Array, "*batch {self.state_size}"]:
         """Return the rate of its own state (…, n); zero by default."""
         return jnp.zeros_like(actuator)
 
@@ -53,14 +53,14 @@ class AbstractTorque(AbstractAttachment):
 
     def force(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
-    ) -> Float64[Array, "*batch 3"] | None:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"] | None:
         """Return the resultant force on the body (…, 3) [N, body axes]; None for a couple."""
         return None
 
     @abc.abstractmethod
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         """Return τ (…, 3) about the origin of the body's axes [N m, body axes].
 
         For a body from moments that origin is its centre of mass, for one ``from_body`` that of the given axes. A
@@ -90,7 +90,7 @@ class AbstractEnvironmentTorque(AbstractTorque):
 def torque_of(
     torque: AbstractTorque, t: Time, attitude: Attitude, angular_velocity: Velocity, own: Float64[Array, "*batch n"],
     stored: Velocity,
-) -> Float64[Array, "*batch 3"]:  # fmt: skip
+) -> Float64[Array, "*batch 3"]:
     """Return τ (…, 3) of a torque, with the momentum ``stored`` inside, L − IΩ (…, 3), where it asks for that."""
     if not torque.needs_stored:
         return torque.torque(t, attitude, angular_velocity, own)

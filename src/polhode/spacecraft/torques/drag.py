@@ -44,7 +44,7 @@ class LinearDrag(AbstractTorque):
 
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         return -self.coefficient * angular_velocity
 
 
@@ -70,5 +70,5 @@ class QuadraticDrag(AbstractTorque):
 
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         return -self.coefficient * jnp.linalg.norm(angular_velocity, axis=-1, keepdims=True) * angular_velocity

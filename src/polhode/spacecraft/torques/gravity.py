@@ -83,7 +83,7 @@ class GravityGradient(AbstractEnvironmentTorque):
 
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         assert attitude is not None, NEEDED
         # GM/R³ = n² (a/r)³ with n² a³ = GM; the force on dm at r is expanded to first order in r/R, dF = GM/R³ (3
         # (r·R̂) R̂ − r) dm, and ∫ r × dF = 3 GM/R³ R̂ × I R̂

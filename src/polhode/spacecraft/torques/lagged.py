@@ -63,12 +63,12 @@ class LaggedTorque(AbstractTorque):
 
     def state_rate(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own
-    ) -> Float64[Array, "*batch {self.state_size}"]:  # fmt: skip
+    ) -> Float64[Array, "*batch {self.state_size}"]:
         assert attitude is not None, NEEDED
         return (self.command(t, attitude, angular_velocity) - actuator) / self.time_constant
 
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         assert actuator is not None, NEEDED
         return actuator

@@ -43,7 +43,7 @@ class MagneticDipole(AbstractEnvironmentTorque):
 
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         assert attitude is not None, NEEDED
         return jnp.cross(self.moment, in_body(attitude, self.field.field(t)))
 
@@ -94,7 +94,7 @@ class TorqueRods(AbstractEnvironmentTorque):
     def __init__(
         self, field: EarthDipoleField, gain: float, law: str = "b-dot",
         limit: Real[ArrayLike, "*rods"] | None = None, axes: Real[ArrayLike, "rods 3"] | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         if law not in LAWS:
             raise InvalidInput(f'`law` of torque rods must be "b-dot" or "dump"; got {shown(law)}.')
         self.field, self.law = _checked_field(field), law
@@ -107,7 +107,7 @@ class TorqueRods(AbstractEnvironmentTorque):
     def from_table(
         cls, field: EarthDipoleField, law: str = "b-dot", gain: float | None = None, rate: float | None = None,
         limit: Real[ArrayLike, "*rods"] | None = None, axes: Real[ArrayLike, "rods 3"] | None = None,
-    ) -> Self:  # fmt: skip
+    ) -> Self:
         """Return the rods of a spec, whose k has a name and a unit for each law.
 
         Raises:
@@ -131,7 +131,7 @@ class TorqueRods(AbstractEnvironmentTorque):
     def moments_of_rods(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity,
         stored: Float64[Array, "*#batch 3"] | None = None,
-    ) -> Float64[Array, "*batch rods"]:  # fmt: skip
+    ) -> Float64[Array, "*batch rods"]:
         """Return the moment of each rod (…, rods) [A m²]."""
         assert attitude is not None, NEEDED
         field = in_body(attitude, self.field.field(t))
@@ -162,7 +162,7 @@ class TorqueRods(AbstractEnvironmentTorque):
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None,
         stored: Float64[Array, "*#batch 3"] | None = None,
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         """Return τ (…, 3) [N m, body axes]; ``stored`` is L − IΩ (…, 3), which "dump" needs."""
         assert attitude is not None, NEEDED
         moments = self.moments_of_rods(t, attitude, angular_velocity, stored)
@@ -196,7 +196,7 @@ class EddyCurrents(AbstractEnvironmentTorque):
 
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         assert attitude is not None, NEEDED
         field = in_body(attitude, self.field.field(t))
         change = in_body(attitude, self.field.field_rate(t)) - jnp.cross(angular_velocity, field)

@@ -69,17 +69,17 @@ class AbstractSurfaceTorque(AbstractEnvironmentTorque):
     @abc.abstractmethod
     def forces(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity
-    ) -> Float64[Array, "*batch n 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch n 3"]:
         """Return the force on each plate (…, n, 3) [N, body axes]."""
 
     def force(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         return jnp.sum(self.forces(t, attitude, angular_velocity), axis=-2)
 
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         each = jnp.cross(self.plates.positions, self.forces(t, attitude, angular_velocity))
         return jnp.sum(each, axis=-2)
 
@@ -134,7 +134,7 @@ class SolarPressure(AbstractSurfaceTorque):
         specular: float = 0.0, diffuse: float = 0.0, box: Real[ArrayLike, "3"] | None = None,
         center: Real[ArrayLike, "3"] | None = None, pressure: float = SUNLIGHT, orbit: KeplerOrbit | None = None,
         shading_radius: float | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.sun, self.plates = checked_direction("sun", sun), make_plates(areas, normals, positions, box, center)
         self.specular = checked_number("specular", specular, least=0.0)
         self.diffuse = checked_number("diffuse", diffuse, least=0.0)
@@ -182,7 +182,7 @@ class SolarPressure(AbstractSurfaceTorque):
 
     def forces(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity
-    ) -> Float64[Array, "*batch n 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch n 3"]:
         assert attitude is not None, NEEDED
         sun, normals = in_body(attitude, self.sun)[..., None, :], self.plates.normals
         cosine = jnp.maximum(jnp.sum(normals * sun, axis=-1, keepdims=True), 0.0)
@@ -234,7 +234,7 @@ class AerodynamicDrag(AbstractSurfaceTorque):
         self, orbit: KeplerOrbit, density: float, areas: Real[ArrayLike, "..."] | None = None,
         normals: Real[ArrayLike, "n 3"] | None = None, positions: Real[ArrayLike, "n 3"] | None = None,
         box: Real[ArrayLike, "3"] | None = None, center: Real[ArrayLike, "3"] | None = None, coefficient: float = 2.2,
-    ) -> None:  # fmt: skip
+    ) -> None:
         orbit.check_size("aerodynamic drag")
         self.orbit, self.plates = orbit, make_plates(areas, normals, positions, box, center)
         self.density = checked_number("density", density, least=0.0, unit="kg/m³")
@@ -242,7 +242,7 @@ class AerodynamicDrag(AbstractSurfaceTorque):
 
     def forces(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity
-    ) -> Float64[Array, "*batch n 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch n 3"]:
         assert attitude is not None, NEEDED
         place, velocity = self.orbit.position(t), self.orbit.velocity(t)
         through = velocity - jnp.cross(jnp.array([0.0, 0.0, EARTH_ROTATION]), place)
@@ -268,7 +268,7 @@ def make_plates(areas: Any, normals: Any, positions: Any, box: Any, center: Any)
             "plates are given by `areas`, `normals` and `positions` together, or as the faces of a `box`; got "
             + (", ".join(name for name, x in zip(("areas", "normals", "positions", "box"), (*single, box), strict=True)
                          if x is not None) or "none of these") + "."
-        )  # fmt: skip
+        )
     if box is not None:
         return _faces(np.asarray(checked_vector("box", box)), center)
     if center is not None:

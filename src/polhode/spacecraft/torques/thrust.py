@@ -58,7 +58,7 @@ class Thruster(AbstractTorque):
     def __init__(
         self, at: Real[ArrayLike, "..."], lasting: Real[ArrayLike, "..."], force: Real[ArrayLike, "3"],
         position: Real[ArrayLike, "3"],
-    ) -> None:  # fmt: skip
+    ) -> None:
         require_doubles(at=at, lasting=lasting)
         begins = checked_times("at", at)
         spans = checked_times("lasting", lasting)
@@ -96,7 +96,7 @@ class Thruster(AbstractTorque):
 
     def force(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         time = jnp.asarray(t)[..., None]
         # each pulse adds one from its beginning, and takes it back at its end
         begun, ended = (jnp.where(time >= at, self.shares, 0.0) for at in (self.begins, self.ends))
@@ -105,7 +105,7 @@ class Thruster(AbstractTorque):
 
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         return jnp.cross(self.position, self.force(t, attitude, angular_velocity))
 
 
@@ -145,7 +145,7 @@ class ConstantTorque(AbstractTorque):
 
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         if self.frame == "body":
             return self.vector + jnp.zeros_like(angular_velocity)
         assert attitude is not None, NEEDED
@@ -218,7 +218,7 @@ class DumpingThrusters(AbstractTorque):
     def torque(
         self, t: Time, attitude: Attitude, angular_velocity: Velocity, actuator: Own | None = None,
         stored: Float64[Array, "*#batch 3"] | None = None,
-    ) -> Float64[Array, "*batch 3"]:  # fmt: skip
+    ) -> Float64[Array, "*batch 3"]:
         """Return τ (…, 3) [N m, body axes]; ``stored`` is L − IΩ (…, 3)."""
         assert stored is not None, "this law needs the momentum stored inside"
         asked = self._find_wanted(stored) + jnp.zeros_like(angular_velocity)

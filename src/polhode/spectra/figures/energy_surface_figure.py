@@ -74,7 +74,7 @@ def energy_surface(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
     lines = (("round $a$", ROUND_A, 1.2), ("round $c$", ROUND_C, 1.2), ("saddle", style.VERMILION, 0.9))
     handles = [axes.plot([], [], color=colour, lw=width, label=label)[0] for label, colour, width in lines]
     axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3, frameon=False,
-                fontsize=style.FONT - 1, handlelength=1.6, columnspacing=1.2)  # fmt: skip
+                fontsize=style.FONT - 1, handlelength=1.6, columnspacing=1.2)
     axes.set_title(f"Rotational energy surface, levels of J = {J}", fontsize=style.FONT, color=style.DARK)
     return figure
 

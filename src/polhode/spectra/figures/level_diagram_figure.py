@@ -95,7 +95,7 @@ def _name(
         last[column] = float(energy[k])
         x, side = (start[k] - 0.03, "right") if left[k] else (end[k] + 0.03, "left")
         axes.text(x, energy[k], f"{J[k]}", fontsize=style.FONT - 3, ha=side, va="center", color=style.GREY,
-                  clip_on=True)  # fmt: skip
+                  clip_on=True)
 
 
 def _draw_saddle(axes: Any, rotor: Rotor, columns: int, top: float) -> None:
@@ -107,6 +107,6 @@ def _draw_saddle(axes: Any, rotor: Rotor, columns: int, top: float) -> None:
     K = np.linspace(0.0, min(columns + 0.75, share * math.sqrt(1.04 * top * WAVE_NUMBER / B)), 200)
     line = axes.plot(K, B * (K / share) ** 2 / WAVE_NUMBER, color=style.VERMILION, lw=0.9, ls="--", label="saddle")[0]
     handles = [axes.plot([], [], color=colour, lw=1.2, label=label)[0]
-               for label, colour in (("round $c$", ROUND_C), ("round $a$", ROUND_A))]  # fmt: skip
+               for label, colour in (("round $c$", ROUND_C), ("round $a$", ROUND_A))]
     axes.legend(handles=[handles[0], line, handles[1]], loc="lower right", fontsize=style.FONT - 1, frameon=False,
-                handlelength=1.8)  # fmt: skip
+                handlelength=1.8)

@@ -59,7 +59,7 @@ def _draw_long(panel: Any, racket: Racket, revival: float) -> None:
     for share, name in ((0.5, "½ $T_{rev}$"), (1.0, "$T_{rev}$")):
         panel.axvline(share * revival / 10.0**power, color=style.VERMILION, lw=0.7, ls=":")
         panel.text(share * revival / 10.0**power, 1.06, name, fontsize=style.FONT - 2, ha="center", va="bottom",
-                   color=style.VERMILION)  # fmt: skip
+                   color=style.VERMILION)
     _tidy_panel(panel, power, shown[-1])
 
 

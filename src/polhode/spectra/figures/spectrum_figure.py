@@ -70,6 +70,6 @@ def _name_strongest(axes: Any, lines: Lines, visible: Any, nu: Any, size: Any) -
             names = [f"{J}$_{{{Ka},{Kc}}}$" for J, Ka, Kc in (upper[k], lower[k])]
             axes.text(nu[k], size[k] + 0.1, "–".join(names), fontsize=style.FONT - 3, ha="center", va="bottom",
                       color=style.DARK, clip_on=True,
-                      bbox={"fc": "white", "ec": "none", "pad": 0.3, "alpha": 0.8})  # fmt: skip
+                      bbox={"fc": "white", "ec": "none", "pad": 0.3, "alpha": 0.8})
         if len(taken) == most_names:
             break

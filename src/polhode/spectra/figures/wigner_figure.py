@@ -153,7 +153,7 @@ def _draw(panel: Any, values: Array, side: float, largest: float) -> None:
     out = 2.0 * np.sin(0.5 * polar)[:, None]
     across, up = side * out * np.cos(azimuth), out * np.sin(azimuth)
     panel.pcolormesh(across, up, values, cmap=COLOURS, vmin=-largest, vmax=largest, shading="gouraud",
-                     rasterized=True)  # fmt: skip
+                     rasterized=True)
     around = np.linspace(0.0, 2.0 * math.pi, 200)
     panel.plot(math.sqrt(2.0) * np.cos(around), math.sqrt(2.0) * np.sin(around), color=style.GREY, lw=0.6)
     panel.text(side * 1.5, 0.0, "$c$", fontsize=style.FONT - 2, ha="left" if side > 0.0 else "right", va="center")
@@ -172,4 +172,4 @@ def _draw_energy(panel: Any, rotor: Rotor, height: float) -> None:
     surface = sine**2 * (A * np.sin(azimuth) ** 2 + C * np.cos(azimuth) ** 2) + B * cosine**2
     if surface.min() < height < surface.max():
         panel.contour(out * np.cos(azimuth), out * np.sin(azimuth), surface, [height], colors=style.DARK,
-                      linewidths=0.8)  # fmt: skip
+                      linewidths=0.8)

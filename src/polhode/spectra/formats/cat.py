@@ -17,10 +17,10 @@ def write(content: Content, path: Path) -> Path:
     lines = molecule.lines()
     if lines is None:
         raise InvalidInput("a molecule without a dipole has no lines. Give one, like "
-                           'dipole = ["0 D", "1.857 D", "0 D"].')  # fmt: skip
+                           'dipole = ["0 D", "1.857 D", "0 D"].')
     write_cat(catalogue_of(lines, degrees=2 if molecule.rotor.is_linear else 3), path)
     return path
 
 
 FORM = Form("cat", "line catalogue", ".cat", "rotational lines of a molecule; frequencies to 100 Hz", write,
-            of_motion=False, sampled=False)  # fmt: skip
+            of_motion=False, sampled=False)

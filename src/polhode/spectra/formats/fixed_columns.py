@@ -138,7 +138,7 @@ def read_rows(
 
 
 def write_rows(rows: Sequence[Row], kept: Sequence[str] | None, read: Callable[[str], Row],
-            write: Callable[[Row], str]) -> str:  # fmt: skip
+            write: Callable[[Row], str]) -> str:
     """Return rows as the text of a file; rows whose values did not change keep their original text.
 
     Raises:

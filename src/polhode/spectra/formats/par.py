@@ -17,4 +17,4 @@ def write(content: Content, path: Path) -> Path:
 
 
 FORM = Form("par", "constants file", ".par", "rotational constants of a molecule; every digit", write, of_motion=False,
-            sampled=False)  # fmt: skip
+            sampled=False)

@@ -24,7 +24,7 @@ ENERGY = Field("lower energy", 31, 10, 4)
 DEGREES, DEGENERACY, TAG, FORM = Field("degrees of freedom", 29, 2), Field("upper degeneracy", 41, 3), Field(
     "tag", 44, 7), Field("quantum number format", 51, 4)  # fmt: skip
 UPPER, LOWER = ([Field(f"{name} quantum number {k + 1}", begin + 2 * k, 2) for k in range(6)]
-                for name, begin in (("upper", 55), ("lower", 67)))  # fmt: skip
+                for name, begin in (("upper", 55), ("lower", 67)))
 ASYMMETRIC_TOP, LINEAR = 303, 101  # J, Ka, Kc; J alone
 
 
@@ -98,7 +98,7 @@ def read_cat(path: str | Path) -> Catalogue:
     kinds = (float, float, float, int, float, int, int, int)
     columns = zip(*(row.numbers for row in rows), strict=True)
     frequency, error, brightness, degrees, energy, degeneracy, tag, form = (
-        np.array(column, kind) for column, kind in zip(columns, kinds, strict=True))  # fmt: skip
+        np.array(column, kind) for column, kind in zip(columns, kinds, strict=True))
     upper, lower = _pad_numbers([row.upper for row in rows]), _pad_numbers([row.lower for row in rows])
     kept = tuple(line for _, line in pairs)
     return Catalogue(frequency, error, brightness, degrees, energy, degeneracy, tag, form, upper, lower, kept)
@@ -165,7 +165,7 @@ def catalogue_of(
         lines.frequency[kept] / 1e6, np.minimum(errors, LIMITS.max_error)[kept], brightness[kept],
         degrees * whole, lines.lower_energy[kept] / HERTZ_OF_WAVE_NUMBER, weight[kept].astype(int),
         tag * whole, form * whole, lines.upper[kept, :quanta], lines.lower[kept, :quanta],
-    )  # fmt: skip
+    )
 
 
 def _pad_numbers(numbers: list[tuple[int, ...]]) -> Array:

@@ -75,7 +75,7 @@ class LineList:
             )
         if self.left_out:
             warnings.warn("behind the first blank line, where SPFIT ends reading, there are more lines, left out: "
-                          f"{self.left_out}.", stacklevel=2)  # fmt: skip
+                          f"{self.left_out}.", stacklevel=2)
         unit = np.where(self.error < 0.0, HERTZ_OF_WAVE_NUMBER, HERTZ_OF_MEGAHERTZ)
         return MeasuredLines(upper, lower, self.value * unit, np.abs(self.error) * unit, self.weight)
 
@@ -96,7 +96,7 @@ def read_lin(path: str | Path) -> LineList:
     for k, row in enumerate(rows):
         if len(row[0]) != len(rows[0][0]):
             raise FormatError(f"{path}, entry {k + 1}: has {len(row[0])} quantum numbers for each level, and the first "
-                              f"has {len(rows[0][0])}. Write as many in every line.")  # fmt: skip
+                              f"has {len(rows[0][0])}. Write as many in every line.")
     upper, lower, value, error, weight = (np.array(column) for column in zip(*rows, strict=True))
     texts = tuple(text for _, text in pairs)
     left_out = sum(bool(line.strip()) for line in texts[-1].split("\n")) - 1  # the last includes the text behind it
@@ -123,7 +123,7 @@ def line_list(lines: MeasuredLines) -> LineList:
     """Return measured lines as a ``.lin`` file has them, in MHz."""
     weight = np.ones(len(lines.frequency)) if lines.weight is None else lines.weight
     return LineList(lines.upper, lines.lower, lines.frequency / HERTZ_OF_MEGAHERTZ, lines.error / HERTZ_OF_MEGAHERTZ,
-                    weight)  # fmt: skip
+                    weight)
 
 
 def _row(line: str) -> Row:
@@ -138,7 +138,7 @@ def _row(line: str) -> Row:
     count = len(filled)
     if not count or count % 2 or filled != list(range(count)):
         raise ValueError(f"columns 1 to 36: must hold as many upper as lower quantum numbers, one after the other; got "
-                         f"{shown(line[:FIXED_WIDTH].rstrip())}")  # fmt: skip
+                         f"{shown(line[:FIXED_WIDTH].rstrip())}")
     numbers = [field.whole(line) for field in NUMBERS[:count]]
     free = [word for word in re.split(r"[\s,]+", line[FIXED_WIDTH:].split("/")[0]) if word]
     try:
@@ -146,7 +146,7 @@ def _row(line: str) -> Row:
     except ValueError as problem:
         why = f"must be a frequency and its error; got {shown(line[FIXED_WIDTH:].strip())}"
         raise ValueError(f"columns {FIXED_WIDTH + 1} and on: {why}: each {problem}" if len(free) > 1 else
-                         f"columns {FIXED_WIDTH + 1} and on: {why}") from None  # fmt: skip
+                         f"columns {FIXED_WIDTH + 1} and on: {why}") from None
     try:
         weight = read_fortran(free[2]) if len(free) > 2 else 1.0
     except ValueError:

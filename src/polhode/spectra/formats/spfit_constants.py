@@ -81,19 +81,19 @@ class ConstantTable:
         spins, states, least, largest, _, axis, even, odd, symmetry, l_doubling = (*self.options, *[None] * 10)[:10]
         if abs(1.0 if spins is None else spins) != 1.0 or abs(1.0 if states is None else states) != 1.0:
             raise InvalidInput("the constants must be of one state without spins: the first two options must be 1; got "
-                               f"{shown(spins)} and {shown(states)}.")  # fmt: skip
+                               f"{shown(spins)} and {shown(states)}.")
         if self.more_options:
             raise InvalidInput("the constants must be of one state, with one line of options; the ninth option is "
-                               f"negative, and {len(self.more_options)} more lines of options follow.")  # fmt: skip
+                               f"negative, and {len(self.more_options)} more lines of options follow.")
         if least:
             raise InvalidInput(f"the least K (third option) must be 0; got {least:g}. A rotor has levels of all K.")
         if l_doubling is not None and abs(l_doubling) >= 100.0:
             raise InvalidInput(f"the tenth option must be below 100: l-doubled states are none of a plain rotor; got "
-                               f"{l_doubling:g}.")  # fmt: skip
+                               f"{l_doubling:g}.")
         about = "a" if axis is None or axis == 0.0 else "abc"[int(abs(axis)) - 1] if abs(axis) in (1, 2, 3) else None
         if about is None:
             raise InvalidInput(f"the axis of spin weights (sixth option) must be 1, 2 or 3; got {shown(axis)}. Weights "
-                               "of symmetric tops are not supported: write 1 and equal weights.")  # fmt: skip
+                               "of symmetric tops are not supported: write 1 and equal weights.")
         weights = (1.0 if even is None else even, 1.0 if odd is None else odd)
         if symmetry is not None and symmetry > 0.0 and symmetry % 2.0 == 1.0:  # an odd last digit
             weights = (weights[1], weights[0])
@@ -104,7 +104,7 @@ class ConstantTable:
             warnings.warn(
                 f"the file leaves out states of K above {largest:g} (fourth option); this rotor has them all, so that "
                 f"levels of J above {largest:g} differ from its program's.", stacklevel=2,
-            )  # fmt: skip
+            )
         rigid, distortion = self._constants(basis)
         return Rotor(rigid, distortion, self.reduction, basis.name, dipole, weights, about)
 
@@ -156,7 +156,7 @@ def encode(term: Term) -> int:
 def constant_table(
     rotor: Rotor, sigma: Mapping[str, float] | None = None, title: str = "",
     correlation: Real[Array, "k k"] | None = None,
-) -> ConstantTable:  # fmt: skip
+) -> ConstantTable:
     """Return a rotor's constants as a ``.par`` file has them.
 
     Args:
@@ -175,13 +175,13 @@ def constant_table(
         raise InvalidInput("`rotor` must not be linear: these files would need other codes.")
     if rotor.representation is not None and rotor.representation not in BASES:
         raise InvalidInput(f"`rotor` must be in the representation Ir or IIIl, which these files have; got "
-                           f"{rotor.representation.name}. Fit its lines in one of these.")  # fmt: skip
+                           f"{rotor.representation.name}. Fit its lines in one of these.")
     if any(weight % 1.0 for weight in rotor.spin_weights):
         raise InvalidInput(f"`spin_weights` must be whole numbers in a file; got {shown(rotor.spin_weights)}.")
     names = list(sigma or {})
     if correlation is not None and np.shape(correlation) != (len(names), len(names)):
         raise InvalidInput(f"`correlation` must be square, with a row for each of the {len(names)} errors of `sigma`; "
-                           f"got the shape {shown(np.shape(correlation))}.")  # fmt: skip
+                           f"got the shape {shown(np.shape(correlation))}.")
     reduction = rotor.reduction or Reduction.S
     names = [_first_equal(rotor, name, names) for name in names]
     sigma = dict(zip(names, (sigma or {}).values(), strict=True))
@@ -190,7 +190,7 @@ def constant_table(
         term = TERMS[reduction][name]
         rows.append((encode(term), term.sign * value, name))
     of_row = [sigma.get(name, sigma.get(_first_equal(rotor, name, [name]), 0.0) if code < 0 else 0.0)
-              for code, _, name in rows]  # fmt: skip
+              for code, _, name in rows]
     error = [FREE if np.isnan(one) else max(one / 1e6, FIXED) for one in of_row]
     axis = float("abc".index(rotor.spin_axis) + 1)
     states = -1.0 if rotor.representation is Representation.IIIl else 1.0
@@ -205,7 +205,7 @@ def constant_table(
         sign = np.array([signs.get(label[k], 1) for k in fitted])
         together[np.ix_(fitted, fitted)] = np.asarray(correlation)[np.ix_(there, there)] * np.outer(sign, sign)
     return ConstantTable(title, reduction.name, options, np.array(code), np.array(value) / 1e6, np.array(error), label,
-                         together)  # fmt: skip
+                         together)
 
 
 def _first_equal(rotor: Rotor, name: str, free: Sequence[str]) -> str:
@@ -236,7 +236,7 @@ def read_par(path: str | Path) -> ConstantTable:
     lines = read_text(path, "constants", LARGEST_FILE).split("\n")
     if len(lines) < 4:
         raise FormatError(f"{path}: must have a title, two lines of options, and a line for each constant; it has "
-                          f"{len(lines)}. Check the path.")  # fmt: skip
+                          f"{len(lines)}. Check the path.")
     count = _options(path, 2, lines[1])[0]
     letter = re.match(r"\s*([A-Za-z])\s*,?", lines[2])
     options = _options(path, 3, lines[2][letter.end() :] if letter else lines[2])
@@ -260,7 +260,7 @@ def read_par(path: str | Path) -> ConstantTable:
     end = begin + len(rows)
     return ConstantTable(lines[0].rstrip(), _reduction(letter[1].upper() if letter else "", codes), tuple(options),
                          codes, np.array(value), np.array(error), tuple(label),
-                         _correlation(path, end + 1, lines[end:], codes), tuple(more))  # fmt: skip
+                         _correlation(path, end + 1, lines[end:], codes), tuple(more))
 
 
 def write_par(table: ConstantTable, path: str | Path) -> None:
@@ -309,7 +309,7 @@ def _correlation(path: Path, number: int, lines: list[str], code: Array) -> Arra
     if np.abs(np.diagonal(matrix) - 1.0).max() > 1e-3:
         raise FormatError(f"{path}, line {number}: the rows of the correlations' factor must have length 1; got "
                           f"{np.sqrt(np.diagonal(matrix)).max():g}. Early files of polhode were like this; write it "
-                          "again, by SPFIT or from the fit.")  # fmt: skip
+                          "again, by SPFIT or from the fit.")
     full = np.eye(len(code))
     full[np.ix_(which, which)] = matrix / np.sqrt(np.outer(np.diagonal(matrix), np.diagonal(matrix)))
     return full
@@ -351,7 +351,7 @@ def _constant(path: Path, number: int, line: str, left_out: float) -> tuple[int,
         value, error = read_fortran(words[1]), read_fortran(words[2]) if len(words) > 2 else left_out
     except ValueError as problem:
         raise FormatError(f"{path}, line {number}: {problem}; got {shown(line.strip())}. A constant is a code, a "
-                          "value and an error.") from None  # fmt: skip
+                          "value and an error.") from None
     return int(words[0].partition(".")[0]), value, error, label.strip()
 
 

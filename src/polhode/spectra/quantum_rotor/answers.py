@@ -150,7 +150,7 @@ class QuantumRotorReport(SystemReport):
             Answer("spin_weights", rotor.spin_weights, "", "weights of nuclear spins",
                    f"of levels even and odd under a half turn about {rotor.spin_axis}",
                    f"{rotor.spin_weights[0]:g} and {rotor.spin_weights[1]:g}, even and odd about {rotor.spin_axis}"),
-        ])  # fmt: skip
+        ])
 
     def _distortion(self) -> Group:
         rotor = self.rotor
@@ -161,7 +161,7 @@ class QuantumRotorReport(SystemReport):
             Answer("reduction", rotor.reduction.value), Answer("representation", rotor.representation.name),
             *(Answer(f"distortion.{name}", value, "Hz", name, "", f"{value / 1e6:.10g} MHz")
               for name, value in rotor.distortion.items()),
-        ])  # fmt: skip
+        ])
 
     def _levels(self) -> Iterator[Group | Table]:
         levels, T = self.levels, self.asked.temperature
@@ -177,7 +177,7 @@ class QuantumRotorReport(SystemReport):
             Answer("most_populated", label(*numbers), "", "most populated level"),
             Answer("share_of_most_populated", populated[most] / self.partition, "", "", "of all molecules"),
             Answer("j_max", self.asked.j_max, "", "largest J of lines" if self.lines is not None else ""),
-        ])  # fmt: skip
+        ])
 
     def _strongest(self, lines: Lines) -> Table:
         listed = 10
@@ -197,14 +197,14 @@ class QuantumRotorReport(SystemReport):
             Answer("semiclassical_error", float(np.abs(polhodes.semiclassical - polhodes.energy).max()), "Hz",
                    "quantised polhodes err by at most", "E/h",
                    frequency(float(np.abs(polhodes.semiclassical - polhodes.energy).max()))),
-        ])  # fmt: skip
+        ])
         title = "Steps to the next level but one, and turns of L round the polhode between the two"
         yield Table("polhodes", title, _COLUMNS, _rows(polhodes), {
             "energy": "Hz, E/h", "semiclassical": "Hz, E/h, by quantised polhodes",
             "step": "Hz, to the next level but one, of the same ladder",
             "classical_step": "Hz, turns of L a second round the polhode between the two",
             "splitting": "Hz, of the pair that tunnelling splits",
-        })  # fmt: skip
+        })
 
 
 _COLUMNS = {
@@ -226,7 +226,7 @@ def _rows(polhodes: LevelPolhodes) -> list[dict[str, Any]]:
         {"level": label(J, Ka, Kc), "energy": energy, "semiclassical": semiclassical, "round": "a" if above else "c",
          "step": step, "classical_step": classical, "splitting": splitting}
         for Ka, Kc, energy, semiclassical, above, step, classical, splitting in columns
-    ]  # fmt: skip
+    ]
 
 
 def is_split(splitting: float, classical_step: float) -> bool:
@@ -271,4 +271,4 @@ def make_report(spec: Spec[QuantumRotorTable]) -> QuantumRotorReport:
     return QuantumRotorReport(
         asked, levels, lines, partition, polhodes, table.j, racket,
         None if spec.body is None else spec.body.frame, said,
-    )  # fmt: skip
+    )

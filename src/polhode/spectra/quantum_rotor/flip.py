@@ -25,4 +25,4 @@ def about_flip(racket: Racket) -> Group:
         Answer("racket.period", period, "s", "classical period T"),
         Answer("racket.revival_time", revival, "s", "revival T_rev", "2/|d²ν/dn²|",
                None if revival is None else f"{in_its_unit(revival)} = {revival / racket.period:.4g} T"),
-    ])  # fmt: skip
+    ])

@@ -62,7 +62,7 @@ def _check(report: QuantumRotorReport) -> None:
         "a linear molecule has no motion about its axis" if not math.isfinite(A)
         else "of a spherical top every L rests in the body" if report.rotor.equal == "ABC"
         else "with `j` = 0 there is no L" if report.J == 0 else None
-    )  # fmt: skip
+    )
     if why is not None:
         raise InvalidInput(
             f"there is nothing to show on a page: {why}. Ask for levels and figures by `polhode report`."
@@ -124,11 +124,11 @@ def _model(report: QuantumRotorReport, directions: Float64[Array, "n 3"]) -> dic
     levels = [
         {"name": name, "start": start, "said": said}
         for name, start, said in zip(names, directions.tolist(), _describe_levels(report, states), strict=True)
-    ]  # fmt: skip
+    ]
     spin = {} if report.J > LIMITS.max_j else {
         "vectors": pack(states.vectors[::-1]), "energies": states.energy.tolist(),
         "kernel": pole_values(report.J).tolist(),
-    }  # fmt: skip
+    }
     return {
         "solver": "QuantumRotor", "J": report.J, "constants": list(report.rotor.constants),
         "moments": _moments(report).tolist(), "momentumSize": _size(report.J), "attitude": [1.0, 0.0, 0.0, 0.0],
@@ -193,7 +193,7 @@ class QuantumRotorPanel(KindPanel):
             {"starts": directions[chosen].tolist(), "axis": axis,
              "legend": ["levels round {axis}", {"axis": "abc"[axis]}]}
             for chosen, axis in ((above, 0), (~above, 2)) if chosen.any()
-        ]  # fmt: skip
+        ]
         axes = ["a", "b", "c"]
         sphere = {
             "type": "sphere", "title": ["Levels of J = {J} as polhodes", {"J": report.J}], "families": families,

@@ -16,7 +16,7 @@ def find_mistakes(tables: dict[str, Any]) -> Iterator[Mistake]:
         said = "is there, and [body] too, which has constants of its own; leave one out" if both else (
             'is missing; give three, like ["835.8 GHz", "435.4 GHz", "278.1 GHz"], or molecule = "water.xyz" under '
             "[body]"
-        )  # fmt: skip
+        )
         yield ("system", "constants"), said
     if system.get("distortion"):
         for key, like in (("reduction", '"A" or "S"'), ("representation", '"Ir"')):

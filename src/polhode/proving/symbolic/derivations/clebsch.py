@@ -32,14 +32,14 @@ def derive() -> Page:
     page = Derivation("Clebsch's case", SymbolicSystem(bracket, H), numerical)
     page.brackets("The bracket is that of se(3)*.", se3_brackets(bracket))
     page.hamiltonian("The reciprocal masses are products of the reciprocal moments, up to a factor; a multiple of the "
-                     "square of P could be added.")  # fmt: skip
+                     "square of P could be added.")
     b1, b2, b3 = theta * a2 * a3, theta * a3 * a1, theta * a1 * a2
     page.vanishes("Clebsch's condition on the coefficients of the momenta holds.",
-                  (b2 - b3) / a1 + (b3 - b1) / a2 + (b1 - b2) / a3)  # fmt: skip
+                  (b2 - b3) / a1 + (b3 - b1) / a2 + (b1 - b2) / a3)
     F = L1**2 + L2**2 + L3**2 - theta * (a1 * P1**2 + a2 * P2**2 + a3 * P3**2)
     page.integral("Clebsch's integral.", Name("F", "F"), F)
     page.further_integrals(
         "Linear algebra over rational functions of the parameters finds it, up to energy and Casimirs, and no other.",
         2, [F],
-    )  # fmt: skip
+    )
     return page.page()

@@ -36,7 +36,7 @@ def derive() -> Page:
     )
     square = L1**2 + L2**2 + L3**2
     page.casimirs("The square of the momentum is a Casimir: it is constant whatever the Hamiltonian.",
-                  {Name(r"|L|^2", "|L|²"): square})  # fmt: skip
+                  {Name(r"|L|^2", "|L|²"): square})
     page.further_integrals(
         "With general moments every polynomial integral up to degree four is a polynomial in energy and Casimir.", 4, []
     )
@@ -46,13 +46,13 @@ def derive() -> Page:
         "between the others.",
         spin, sympy.Or(sympy.And(I2 < I1, I1 < I3), sympy.And(I3 < I1, I1 < I2)),
         s * (s**2 + size**2 * (I1 - I2) * (I1 - I3) / (I1**2 * I2 * I3)),
-    )  # fmt: skip
+    )
     page.stable_if(
         "The second variation of energy and Casimir, on deviations that keep the Casimir, is definite if the first "
         "moment is the largest or the least: then the spin is stable.",
         spin, [square / 2],
         sympy.Or(sympy.And(I1 > I2, I1 > I3), sympy.And(I1 < I2, I1 < I3)),
-    )  # fmt: skip
+    )
     page.sphere("On a sphere of constant momentum the motion has one degree of freedom, with the angle about the third "
-                "axis and the height as coordinates.")  # fmt: skip
+                "axis and the height as coordinates.")
     return page.page()

@@ -28,12 +28,12 @@ def derive() -> Page:
     numerical = Numerical(lambda v: Gyrostat((v["I1"], v["I2"], v["I3"]), (0.0, 0.0, v["h"])), samples)
     page = Derivation("The gyrostat", system, numerical)
     page.brackets("The angular momentum of body and rotor together is a point of so(3)*, with the minus bracket.",
-                  {(L1, L2): -L3, (L2, L3): -L1, (L3, L1): -L2})  # fmt: skip
+                  {(L1, L2): -L3, (L2, L3): -L1, (L3, L1): -L2})
     page.hamiltonian("The energy is that of the carrier; the rotor's momentum is constant along the third axis.")
     spin = (L3 - h) / I3
     page.equations("Hamilton's equations.", {
         L1: L2 * spin - L3 * L2 / I2, L2: L3 * L1 / I1 - L1 * spin, L3: (1 / I2 - 1 / I1) * L1 * L2,
-    })  # fmt: skip
+    })
     square = L1**2 + L2**2 + L3**2
     page.casimirs("The square of the momentum is a Casimir.", {Name(r"|L|^2", "|L|²"): square})
     along = (sympy.Integer(0), sympy.Integer(0), size)
@@ -43,12 +43,12 @@ def derive() -> Page:
         "Spin along the rotor's axis is an equilibrium. Its exponents are those of a free body whose third moment is "
         "the momentum divided by the spin.",
         along, positive_condition(-first * second), s * (s**2 + first * second),
-    )  # fmt: skip
+    )
     page.stable_if(
         "The second variation is definite if the spin is slower, or faster, than the momentum divided by each of the "
         "other moments; a rotor can stabilise every axis.",
         along, [square / 2],
         sympy.Or(*(sympy.And(positive_condition(a * first), positive_condition(a * second)) for a in (1, -1))),
-    )  # fmt: skip
+    )
     page.sphere("On a sphere of constant momentum, with the angle about the rotor's axis and the height.")
     return page.page()

@@ -61,7 +61,7 @@ def derive() -> Page:
     )
     unit, vertical = G1**2 + G2**2 + G3**2, P1 * G1 + P2 * G2 + P3 * G3
     page.casimirs("The Casimirs are the square of the upward direction and the vertical momentum.",
-                  {Name(r"|\Gamma|^2", "|Γ|²"): unit, Name(r"\Pi\cdot\Gamma", "Π·Γ"): vertical})  # fmt: skip
+                  {Name(r"|\Gamma|^2", "|Γ|²"): unit, Name(r"\Pi\cdot\Gamma", "Π·Γ"): vertical})
     page.further_integrals(
         "With general moments there is no further polynomial integral up to degree four.", 4, []
     )
@@ -70,5 +70,5 @@ def derive() -> Page:
         "the axis is that of the largest moment.",
         (0, 0, S, 0, 0, 1), [unit / 2, vertical],
         sympy.And(S**2 * (I3 - I1) > I3**2 * weight, S**2 * (I3 - I2) > I3**2 * weight),
-    )  # fmt: skip
+    )
     return page.page()

@@ -27,7 +27,7 @@ def derive() -> Page:
     numerical = Numerical(lambda v: Kirchhoff([v[k] for k in ("I1", "I2", "I3", "M1", "M2", "M3")]), samples)
     page = Derivation("A body in an ideal fluid", system, numerical)
     page.brackets("The impulses of body and fluid, angular and linear, are a point of se(3)*, with the minus bracket.",
-                  se3_brackets(bracket))  # fmt: skip
+                  se3_brackets(bracket))
     page.hamiltonian("Kinetic energy of body and fluid; moments and masses include what the fluid adds.")
     L1, L2, L3, P1, P2, P3 = x
     page.equations(
@@ -43,14 +43,14 @@ def derive() -> Page:
     )
     square, product = P1**2 + P2**2 + P3**2, L1 * P1 + L2 * P2 + L3 * P3
     page.casimirs("The Casimirs are the square of the linear impulse and its product with the angular one.",
-                  {Name("|P|^2", "|P|²"): square, Name(r"\Pi\cdot P", "Π·P"): product})  # fmt: skip
+                  {Name("|P|^2", "|P|²"): square, Name(r"\Pi\cdot P", "Π·P"): product})
     along = (0, 0, 0, 0, 0, p)
     page.unstable_if(
         "Motion along the third axis without spin is an equilibrium. It is unstable if another direction has the "
         "larger mass: a long body turns its broadside forward.",
         along, sympy.Or(M1 > M3, M2 > M3),
         s**2 * (s**2 + p**2 * (1 / M1 - 1 / M3) / I2) * (s**2 + p**2 * (1 / M2 - 1 / M3) / I1),
-    )  # fmt: skip
+    )
     page.stable_if("The second variation is definite if the mass along the third axis is the largest.",
-                   along, [square / 2, product], sympy.And(M3 > M1, M3 > M2))  # fmt: skip
+                   along, [square / 2, product], sympy.And(M3 > M1, M3 > M2))
     return page.page()

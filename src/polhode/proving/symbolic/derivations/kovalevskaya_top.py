@@ -39,13 +39,13 @@ def derive() -> Page:
     )
     unit, vertical = G1**2 + G2**2 + G3**2, P1 * G1 + P2 * G2 + P3 * G3
     page.casimirs("The Casimirs are the square of the upward direction and the vertical momentum.",
-                  {Name(r"|\Gamma|^2", "|Γ|²"): unit, Name(r"\Pi\cdot\Gamma", "Π·Γ"): vertical})  # fmt: skip
+                  {Name(r"|\Gamma|^2", "|Γ|²"): unit, Name(r"\Pi\cdot\Gamma", "Π·Γ"): vertical})
     rate1, rate2, strength = P1 / (2 * I3), P2 / (2 * I3), weight / I3
     K = (rate1**2 - rate2**2 - strength * G1) ** 2 + (2 * rate1 * rate2 - strength * G2) ** 2
     page.integral("Kovalevskaya's integral is of fourth degree in the momentum, here from the angular velocity.",
-                  Name("K", "K"), K)  # fmt: skip
+                  Name("K", "K"), K)
     page.further_integrals(
         "Linear algebra over rational functions of the parameters finds it, up to energy and Casimirs, and no other.",
         4, [K],
-    )  # fmt: skip
+    )
     return page.page()

@@ -47,7 +47,7 @@ def derive() -> Page:
     )
     unit, vertical = G1**2 + G2**2 + G3**2, P1 * G1 + P2 * G2 + P3 * G3
     page.casimirs("The Casimirs are the square of the upward direction and the vertical momentum.",
-                  {Name(r"|\Gamma|^2", "|Γ|²"): unit, Name(r"\Pi\cdot\Gamma", "Π·Γ"): vertical})  # fmt: skip
+                  {Name(r"|\Gamma|^2", "|Γ|²"): unit, Name(r"\Pi\cdot\Gamma", "Π·Γ"): vertical})
     page.integral("The spin is an integral, and makes the top integrable.", Name(r"\Pi_3", "Π₃"), P3)
     page.further_integrals("It is the only further polynomial integral of degree 2 or less.", 2, [P3])
     sleeping = (0, 0, S, 0, 0, 1)
@@ -55,7 +55,7 @@ def derive() -> Page:
         "The sleeping top spins upright. Its spin takes part like a Casimir, so that one multiplier is free; for the "
         "best one the second variation is definite if the spin is fast.",
         sleeping, [unit / 2, vertical, P3], S**2 > 4 * I1 * weight,
-    )  # fmt: skip
+    )
     # with δΠ1 + iδΠ2 and δΓ1 + iδΓ2 the equations are two, and the polynomial is p times its conjugate
     p = I1 * (nu + S / I3) ** 2 - S * (nu + S / I3) + weight
     product = sympy.expand(s**2 * p.subs(nu, s / sympy.I) * p.subs(nu, -s / sympy.I) / I1**2)
@@ -67,7 +67,7 @@ def derive() -> Page:
         "imaginary axis if its discriminant is negative.",
         Equation(Name(r"p(\nu)", "p(ν)"), p), Equation(Name(r"\operatorname{disc} p", "disc p"), threshold),
         checks=("the characteristic polynomial is s² times p and its conjugate",),
-    )  # fmt: skip
+    )
     page.exponents_if("So the sleeping top is unstable just where the second variation proves nothing, apart from "
-                      "equality.", sleeping, positive_condition(-threshold))  # fmt: skip
+                      "equality.", sleeping, positive_condition(-threshold))
     return page.page()

@@ -29,7 +29,7 @@ def derive() -> Page:
         {"Lambda1": 2.0, "Lambda2": 0.5, "Lambda3": 1.5, "Lambda4": 1.0},
     ]
     page = Derivation("The rigid body in four dimensions", SymbolicSystem(bracket, H),
-                      Numerical(lambda v: Manakov([v[name] for name in names]), samples))  # fmt: skip
+                      Numerical(lambda v: Manakov([v[name] for name in names]), samples))
     stated = {}
     for (i, j), x in upper.items():
         for (k, n), y in upper.items():
@@ -37,11 +37,11 @@ def derive() -> Page:
             if (i, j) < (k, n) and len(shared) == 1:
                 stated[x, y] = -_commutator(M, (i, j), (k, n))
     page.brackets("The angular momentum is an antisymmetric matrix, whose entries below the diagonal are coordinates "
-                  "of so(4)*, with the minus bracket.", stated)  # fmt: skip
+                  "of so(4)*, with the minus bracket.", stated)
     page.hamiltonian("The energy, with the second moments of mass along the axes.")
     rates = M * velocity - velocity * M
     page.equations("Hamilton's equations are the commutator of momentum and angular velocity.",
-                   {x: rates[j - 1, i - 1] for (i, j), x in upper.items()})  # fmt: skip
+                   {x: rates[j - 1, i - 1] for (i, j), x in upper.items()})
     square = sum(x**2 for x in upper.values())
     pfaffian = upper[1, 2] * upper[3, 4] - upper[1, 3] * upper[2, 4] + upper[1, 4] * upper[2, 3]
     names_of = {Name(r"\tfrac12|M|^2", "½|M|²"): square, Name(r"\operatorname{Pf} M", "Pf M"): pfaffian}
@@ -51,7 +51,7 @@ def derive() -> Page:
     page.further_integrals(
         "Linear algebra over rational functions of the parameters finds it, up to energy and Casimirs, and no other.",
         2, [F],
-    )  # fmt: skip
+    )
     return page.page()
 
 

@@ -38,12 +38,12 @@ def derive() -> Page:
         {"b1": 2.0, "b2": 0.7, "b3": 1.1, "nu": 0.3, "c": 1.0},
     ]
     page = Derivation("The case of Steklov and Lyapunov", SymbolicSystem(bracket, H),
-                      Numerical(lambda v: Kirchhoff(inertia(dict(v))), samples))  # fmt: skip
+                      Numerical(lambda v: Kirchhoff(inertia(dict(v))), samples))
     page.brackets("The bracket is that of se(3)*.", se3_brackets(bracket))
     page.hamiltonian("The energy couples angular and linear momentum; the square of P, a Casimir, makes it positive.")
     page.integral("Lyapunov's integral.", Name("F", "F"), F)
     page.further_integrals(
         "Linear algebra over rational functions of the parameters finds it, up to energy and Casimirs, and no other.",
         2, [F],
-    )  # fmt: skip
+    )
     return page.page()

@@ -21,4 +21,4 @@ def read(path: Path, kernels: Kernels) -> Trajectory:
 FORM = Form(
     "acm", "ACM", ".acm", "CCSDS ACM 2.0", None, read, lambda head: b"CCSDS_ACM_VERS" in head, of_attitudes=True,
     has_labels=True, resolution=0.5e-12,
-)  # fmt: skip
+)

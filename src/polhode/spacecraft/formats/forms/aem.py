@@ -30,4 +30,4 @@ FORM = Form(
     "aem", "AEM", ".aem",
     "CCSDS AEM 2.0, attitude and angular velocity of the given axes; 16 digits, epochs to a picosecond", write, read,
     lambda head: b"CCSDS_AEM_VERS" in head, of_attitudes=True, has_labels=True, resolution=0.5e-12,
-)  # fmt: skip
+)

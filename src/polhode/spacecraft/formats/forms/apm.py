@@ -21,4 +21,4 @@ def read(path: Path, kernels: Kernels) -> Trajectory:
 FORM = Form(
     "apm", "APM", ".apm", "CCSDS APM 2.0", None, read, lambda head: b"CCSDS_APM_VERS" in head, of_attitudes=True,
     has_labels=True, resolution=0.5e-12,
-)  # fmt: skip
+)

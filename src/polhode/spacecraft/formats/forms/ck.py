@@ -29,4 +29,4 @@ FORM = Form(
     "ck", "C-kernel", ".bc",
     "SPICE C-kernel of the given axes, with its clock, frame and leap seconds next to it; every digit", write, read,
     lambda head: head.startswith((b"DAF/CK", b"NAIF/DAF")), of_attitudes=True, has_labels=True,
-)  # fmt: skip
+)

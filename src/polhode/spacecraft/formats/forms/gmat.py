@@ -27,7 +27,7 @@ def words_for(names: Sequence[str]) -> Words | None:
         {"quat": quat, "order": "xyzw", "direction": "body-to-space"} if quat
         else {"matrix": matrix, "direction": "space-to-body"} if matrix
         else {"mrp": mrp, "direction": "body-to-space"} if mrp else None
-    )  # fmt: skip
+    )
     clock = _find_clock(names)
     return None if attitude is None or clock is None else attitude | clock
 

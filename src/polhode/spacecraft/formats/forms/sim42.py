@@ -28,4 +28,4 @@ def read(path: Path, kernels: Kernels) -> Trajectory:
 
 
 FORM = Form("42", "42 file", ".42", "attitudes and angular velocities, to seven digits", None, read,
-            of_attitudes=True, named=is_named)  # fmt: skip
+            of_attitudes=True, named=is_named)

@@ -24,4 +24,4 @@ def begins(head: bytes) -> bool:
 
 
 FORM = Form("stk", "STK attitude file", ".a", "attitudes, with angular velocities where the file has them", None, read,
-            begins, of_attitudes=True, has_labels=True)  # fmt: skip
+            begins, of_attitudes=True, has_labels=True)

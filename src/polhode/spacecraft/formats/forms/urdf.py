@@ -18,4 +18,4 @@ def write(content: Content, path: Path) -> Path:
 
 
 FORM = Form("urdf", "URDF link", ".urdf", "mass, centre of mass and inertia along the given axes; every digit", write,
-            of_motion=False, sampled=False)  # fmt: skip
+            of_motion=False, sampled=False)
