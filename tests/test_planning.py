@@ -1,5 +1,6 @@
 """Plans: what is said beforehand is what moves the system, and what moved it is kept."""
 
+from fractions import Fraction
 from typing import Any
 
 import diffrax
@@ -9,7 +10,7 @@ import pytest
 
 import polhode as ph
 from polhode import fields, planning
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import LieMidpoint, MuntheKaas, Splitting, Taylor
 from polhode.motion import MotionPlan, Stepping
 
@@ -124,3 +125,80 @@ def test_a_trajectory_and_its_parts_say_their_plan():
     )
     assert repr(moved).splitlines()[-2].split(maxsplit=1) == ["plan", str(moved.plan)]
     assert moved.between(0.2, 0.8).plan == moved.plan
+
+
+SLIDING = ph.systems.LiePoisson(ph.algebra.SO3(), lambda L: jnp.sum(L % 0.7))
+
+
+class Braked(ph.systems.AbstractSystem):
+    """v̇ = −sign v, which comes to rest, along which no series goes."""
+
+    def vector_field(self, t, state):
+        return -jnp.sign(state)
+
+    def invariants(self, states):
+        return {}
+
+
+class Falling(Braked):
+    """Falls from a height at unit speed, down to the ground."""
+
+    events = property(lambda self: {"ground": lambda t, state: state[0]})
+
+    def vector_field(self, t, state):
+        return -jnp.ones(1)
+
+
+def raised(call, *arguments, **options):
+    with pytest.raises(InvalidInput) as error:
+        call(*arguments, **options)
+    return str(error.value)
+
+
+@pytest.mark.parametrize(("system", "state", "options", "words"), [
+    (SLIDING, START[:3], {"method": Taylor()}, "cannot be moved by Taylor series: its rates of change contain"),
+    (SLIDING, START[:3], {"method": Taylor(precision="extended")}, 'Give `precision` "double"'),
+    (Falling(), [-1.0], {}, "at or past the event that ends the motion: ground"),
+    (TOP, START, {"method": LieMidpoint(TOP, jnp.asarray(0.0))}, "the step of `method` must be a positive finite"),
+    (TOP, START, {"method": LieMidpoint(TOP, jnp.asarray(-0.01))}, "whichever way the times go; got -0.01"),
+    (TOP, START, {"method": LieMidpoint(TOP, jnp.asarray(jnp.nan))}, "the step of `method` must be a positive"),
+    (TOP, START, {"order": 4.0}, "`order` must be a whole number; got 4.0"),
+    (TOP, START + 0j, {}, "`state` must be real; got complex numbers"),
+])  # fmt: skip
+def test_what_the_start_shows_is_refused_by_both(system, state, options, words, any_type):
+    messages = {raised(call, system, state, TIMES, **options) for call in (ph.plan, ph.simulate)}
+    assert len(messages) == 1 and words in messages.pop()
+
+
+def test_complex_times_are_refused(any_type):
+    for call in (ph.plan, ph.simulate, ph.solve):
+        assert "`times` must be real; got complex numbers" in raised(call, TOP, START, TIMES + 0j)
+
+
+def test_numbers_of_any_kind_are_kept_as_plain_ones(tmp_path, any_type):
+    options = {"order": np.arange(2, 9, 2)[1], "step": np.array(0.25)}
+    moved = ph.simulate(TOP, START, TIMES, **options)
+    read = ph.formats.read_dataset(moved.save(tmp_path / "motion.nc"))
+    assert read.plan == moved.plan and read.plan.order == 4 and read.plan.step == 0.25
+    for tolerance in (np.float32(1e-6), jnp.asarray(1e-6), Fraction(1, 10**6)):
+        assert "of order 8, steps to 1e-06" in str(ph.plan(TOP, START, TIMES, tolerance=tolerance))
+    assert ph.plan(TOP, START, TIMES, Taylor(order=np.int64(12))).as_json_dict()["order"] == 12
+
+
+def test_copies_are_named_by_their_place_in_the_whole_batch():
+    with pytest.raises(NotConverged, match="in 1 of 3 copies, first 2"):
+        ph.simulate(Braked(), np.array([[30.0], [40.0], [0.3]]), TIMES)
+
+
+def test_a_state_beyond_series_leaves_the_others_theirs():
+    both: Any = ph.simulate(TOP, np.stack([START, 1e-170 * START]), TIMES, estimate_error=False, throw=False)
+    alone: Any = ph.simulate(TOP, START, TIMES, estimate_error=False)
+    assert (both.states[0] == alone.states).all()
+    assert both.plan.method == "Taylor" and "overflow or vanish" in both.plan.otherwise.reason
+
+
+def test_solve_refuses_memory_that_is_none(any_type):
+    assert "`memory` goes with" in raised(ph.solve, TOP, START, TIMES, Taylor(), memory=(1.0,))
+    for call in (ph.solve, ph.simulate):
+        assert "`memory` must be that of an earlier run" in raised(
+            call, TOP, START, TIMES, LieMidpoint, 0.1, memory=("junk",))  # fmt: skip

@@ -8,6 +8,7 @@ singularity on the way. ``simulate`` and ``solve`` take their methods from here.
 from __future__ import annotations
 
 import contextlib
+import operator
 import warnings
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
@@ -20,7 +21,7 @@ from polhode import integrators
 from polhode._base.arrays import is_positive, known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.integrators import _diffrax as diffrax
-from polhode.integrators._adaptive import TOLERANCE
+from polhode.integrators._adaptive import TOLERANCE, check_events
 from polhode.integrators._choice import (
     choose_solver,
     class_for,
@@ -37,7 +38,7 @@ from polhode.systems._checks import advancing_times
 from polhode.systems._forms import check_finite_rates, refuse_other_objects
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.taylor.runs import choose_precision
-from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Bool, Float64, Real
 
 Method = type[integrators.AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver[Any] | Taylor | None
 ASKED = "as asked"
@@ -50,6 +51,7 @@ class Request(NamedTuple):
     Attributes:
         named: the system with those jumps named that were found at the start.
         every: which of the times are saved.
+        among: which copies of a whole batch these are; None for all of them.
     """
 
     system: AbstractSystem
@@ -66,6 +68,7 @@ class Request(NamedTuple):
     progress: Any = None
     throw: bool = True
     estimate_error: bool = True
+    among: Bool[np.ndarray, "*whole"] | None = None
 
     @property
     def batch_shape(self) -> tuple[int, ...]:
@@ -77,10 +80,24 @@ class Request(NamedTuple):
         """Whether the motion goes on from an earlier one, or is to be gone on from."""
         return self.resumable or self.memory is not None
 
-    def of_copies(self, state: Array) -> Request:
+    def of_copies(self, among: np.ndarray | np.bool_) -> Request:
         """Return the same request for some of the copies, which move as they do alone."""
+        if among.all():
+            return self
+        state = self.state[among]
         named = name_jumps(self.system, find_undeclared_jumps(self.system, state, self.times))
-        return self._replace(state=state, named=named)
+        return self._replace(state=state, named=named, among=among)
+
+    def name_copies(self, which: np.ndarray | np.bool_) -> str:
+        """Return words for some copies, by their number and the indices of the first; "" without a batch."""
+        if not np.ndim(which):
+            return ""
+        whole = np.asarray(which)
+        if self.among is not None:
+            whole = np.zeros(self.among.shape, bool)
+            whole[self.among] = which
+        first = np.argwhere(whole)[0].tolist()
+        return f" in {int(whole.sum())} of {whole.size} copies, first {first[0] if len(first) == 1 else tuple(first)}"
 
 
 class Prepared(NamedTuple):
@@ -107,6 +124,7 @@ def plan(
     method: Method = None,
     step: float | None = None,
     order: int | None = None,
+    *,
     tolerance: float | None = None,
     resumable: bool = False,
 ) -> MotionPlan:
@@ -130,11 +148,17 @@ def plan(
         request = check_request(system, state, times, method=method, step=step, order=order, tolerance=tolerance,
                                 resumable=resumable)
         first = prepare(request)
-        if method is None and first.plan.stepping is Stepping.SERIES and first.plan.engine == NUMBERS:
-            obstacle = find_obstacle(request.named, request.state, (request.times[0], request.times[-1]))
-            if obstacle is not None:
-                return prepare_without_series(request, obstacle.why).plan
-        return first.plan
+        if first.plan.stepping is not Stepping.EQUAL_STEPS:
+            check_events(request.named, request.times[0], request.state)
+        if first.plan.stepping is not Stepping.SERIES:
+            return first.plan
+        span = request.times[0], request.times[-1]
+        obstacle = find_obstacle(request.named, request.state, span, first.solver.is_extended)
+        if obstacle is None:
+            return first.plan
+        if method is not None:
+            raise obstacle
+        return prepare_without_series(request, obstacle.why).plan
 
 
 @contextlib.contextmanager
@@ -164,6 +188,11 @@ def check_request(
     for name, value, unit in (("step", step, " time [s]"), ("tolerance", tolerance, " number")):
         if value is not None and not is_positive(value):
             raise InvalidInput(f"`{name}` must be a positive finite{unit}; got {shown(value)}.")
+    step, tolerance = (None if value is None else float(value) for value in (step, tolerance))
+    try:
+        order = None if order is None else operator.index(order)
+    except TypeError:
+        raise InvalidInput(f"`order` must be a whole number; got {shown(order)}.") from None
     if tolerance is not None and tolerance < EPS:
         raise InvalidInput(
             f"`tolerance` must be at least {EPS:.2g}, a rounding; got {shown(tolerance)}. Leave it out for the default."
@@ -229,7 +258,7 @@ def _name_of_other(system: AbstractSystem) -> str:
 
 def _prepare_series(request: Request, reason: str) -> Prepared:
     _, method = choose_solver(request.system, request.method or Taylor, request.order)
-    order = choose_precision(request.tolerance, method.order, method.is_extended).order
+    order = int(choose_precision(request.tolerance, method.order, method.is_extended).order)
     engine = ARRAYS if goes_by_arrays(request.system, np.asarray(request.state)) else NUMBERS
     return Prepared(MotionPlan(Stepping.SERIES, "Taylor", order, request.step, request.tolerance,
                                _count(request), engine, reason), method)
@@ -279,6 +308,9 @@ def _prepare_equal_steps(request: Request, solver: Any, reason: str) -> Prepared
     is_made = solver is request.method
     if is_made and not bool(eqx.tree_equal(solver.system, own)):
         raise InvalidInput("`method` was made for another system; make it with the one that is simulated.")
+    if is_made and not is_positive(solver.step_size):
+        raise InvalidInput(f"the step of `method` must be a positive finite time [s], whichever way the times go; got "
+                           f"{shown(float(solver.step_size))}.")  # fmt: skip
     rates = np.asarray(turning_rates(system, request.state, jnp.asarray([times[0], times[-1]], float)), dtype=float)
     if not np.isfinite(rates).all():
         check_finite_rates(system, times[0], request.state)

@@ -135,21 +135,21 @@ def _by_series_or_other_steps(request: Request, prepared: Prepared) -> Trajector
 
     So each copy moves as it does alone, whatever moves beside it.
     """
-    without, singular, obstacle = np.zeros(request.batch_shape, bool), "", ""
+    without, singular, obstacles = np.zeros(request.batch_shape, bool), "", dict[str, None]()
     while not without.all():
-        some = request.of_copies(request.state[~without]) if without.any() else request
+        some = request.of_copies(~without)
         try:
             moved = _by_series(some, prepared)
         except NoSeries as error:
             copies = np.ones(1, bool) if error.copies is None else np.ravel(np.asarray(error.copies))
             without[~without] = copies if copies.any() else True
-            singular, obstacle = error.singular or singular, error.why
+            singular, obstacles[error.why] = error.singular or singular, None
             continue
         if not without.any():
             return moved
-        rest = _by_steps_after_series(request.of_copies(request.state[without]), obstacle, singular)
+        rest = _by_steps_after_series(request.of_copies(without), " or ".join(obstacles), singular)
         return _join(request, without, moved, rest)
-    return _by_steps_after_series(request, obstacle, singular)
+    return _by_steps_after_series(request, " or ".join(obstacles), singular)
 
 
 def _by_steps_after_series(request: Request, obstacle: str, singular: str) -> Trajectory:
@@ -236,7 +236,7 @@ def _by_series(request: Request, prepared: Prepared) -> Trajectory:
         singular = _find_singularity(motion, failed)
         raise NoSeries("its motion comes to a singularity.", f"it comes to a singularity {singular}", failed,
                        singular=singular)
-    order = choose_precision(local, method.order, method.is_extended).order
+    order = int(choose_precision(local, method.order, method.is_extended).order)
     copies, engine = motion.successful.size, ARRAYS if motion.by_arrays else NUMBERS
     plan = replace(prepared.plan, order=order, copies=copies, engine=engine)
     trajectory = _finish(request, plan, plan.method, motion, error)
@@ -254,10 +254,9 @@ def _completed(system: AbstractSystem) -> Outcome:
 def _finish(
     request: Request, plan: MotionPlan, name: str, motion: AdaptiveMotion, error: Array | None
 ) -> Trajectory:
-    failed = np.argwhere(~motion.successful)
-    which = "" if not np.ndim(motion.successful) or not len(failed) else (
-        f" in {len(failed)} of {motion.successful.size} copies, first {_indices(failed[0])}")
-    if request.throw and len(failed):
+    failed = ~np.asarray(motion.successful)
+    which = request.name_copies(failed) if failed.any() else ""
+    if request.throw and failed.any():
         raise NotConverged(
             f"{name} could not hold its tolerance after {motion.steps} steps{which}: the motion runs "
             "into a singularity, leaves the finite numbers, or its rates jump. End it earlier; let the system name the "
@@ -266,7 +265,7 @@ def _finish(
     ended = np.asarray(motion.ends.status) == Status.EVENT
     if motion.event:
         outcome = Outcome(Ending.EVENT, motion.event)
-    elif len(failed):
+    elif failed.any():
         outcome = Outcome(Ending.NOT_CONVERGED, message=f"{name} failed{which}")
     elif ended.any():
         names = [motion.ends.events[k] for k in np.unique(np.asarray(motion.ends.event)[ended])]
@@ -318,9 +317,9 @@ def _by_equal_steps(request: Request, prepared: Prepared) -> Trajectory:
         run, error = run_by_equal_steps(*arguments, _meter(shown), request.every, memory), None
     plan = replace(plan, step=float(np.max(sizes)))
     statistics = {"steps": int(step_counts(times, sizes).sum(axis=-1).max()), "iterations": int(run.iterations.max())}
-    failed, ends = np.argwhere(~run.fine), None
-    if len(failed):
-        which = "" if not run.fine.ndim else f" in {len(failed)} of {run.fine.size} copies, first {_indices(failed[0])}"
+    failed, ends = ~np.asarray(run.fine), None
+    if failed.any():
+        which = request.name_copies(failed)
         if request.throw:
             raise NotConverged(
                 f"the {plan.method} step did not converge, or the state left the finite numbers{which}. Take a shorter "
@@ -349,10 +348,6 @@ def _warn_of_long_steps(sizes: Float64[ArrayOrFloat, "*batch"], rates: Float64[A
             f"below {TOO_LONG * at / longest:.3g} s it is resolved.",
             stacklevel=5,
         )
-
-
-def _indices(where: np.ndarray) -> str:
-    return str(int(where[0])) if len(where) == 1 else str(tuple(int(k) for k in where))
 
 
 def _meter(wanted: Any) -> Any:

@@ -144,6 +144,10 @@ def solve(
         if not (is_tracing() or is_traced(state, times, *jax.tree.leaves(system))):
             system = name_jumps(system, find_undeclared_jumps(system, state, times))
         stepping, solver = choose_solver(system, method, order)
+        if memory is not None and stepping is not Stepping.EQUAL_STEPS:
+            raise InvalidInput(
+                "`memory` goes with the methods of polhode.integrators that take equal steps; others start over."
+            )
         if stepping is Stepping.SERIES:
             return _by_series(system, state, times, solver, step, tolerance, every, observe)
         if stepping is Stepping.EQUAL_STEPS:
@@ -151,8 +155,6 @@ def solve(
                 raise InvalidInput("`tolerance` goes with diffrax's solvers; give `step`, or let `simulate` choose it.")
             is_made = solver is method
             return _by_equal_steps(system, state, times, solver, is_made, step, order, every, observe, memory)
-        if memory is not None:
-            raise InvalidInput("`memory` goes with the methods of polhode.integrators; diffrax's solvers start over.")
         if isinstance(observe, Fold):
             raise InvalidInput(
                 "`save` as a Fold goes with the methods of polhode.integrators, which step from sample to sample. Give "
@@ -272,7 +274,11 @@ def restore_memory(solver: integrators.AbstractOrbitSolver, state: Double[Array,
     fresh = solver.memory
     for _ in range(jnp.ndim(state) - solver.system.state_axes):
         fresh = jax.vmap(fresh)
-    wanted, stored = jax.eval_shape(fresh, jnp.asarray(state)), [jnp.asarray(x) for x in jax.tree.leaves(arrays)]
+    wanted = jax.eval_shape(fresh, jnp.asarray(state))
+    try:
+        stored = [jnp.asarray(x) for x in jax.tree.leaves(arrays)]
+    except (TypeError, ValueError):
+        raise InvalidInput(f"`memory` must be that of an earlier run, arrays; got {shown(arrays)}.") from None
     shapes = [[x.shape for x in nest] for nest in (jax.tree.leaves(wanted), stored)]
     if shapes[0] != shapes[1] or any(jnp.iscomplexobj(x) and not jnp.issubdtype(w.dtype, jnp.complexfloating)
                                      for w, x in zip(jax.tree.leaves(wanted), stored, strict=True)):

@@ -401,7 +401,11 @@ def test_an_outcome_that_is_no_text(store, name, value):
     ('{"stepping": "by hand", "method": "Taylor"}', "not a valid Stepping"),
     ('{"stepping": "Taylor series", "method": "Taylor", "order": "24"}', "`order` cannot be '24'"),
     ('{"stepping": "Taylor series", "method": "Taylor", "copies": true}', "`copies` cannot be True"),
-    ('{"stepping": "Taylor series", "method": "Taylor", "speed": 1}', "has no speed"),
+    ('{"stepping": "Taylor series", "method": "Taylor", "speed": 1}', "a plan has no speed"),
+    ('{"stepping": "Taylor series", "method": "Taylor", "engine": null}', "`engine` cannot be None"),
+    ('{"stepping": "Taylor series", "method": "Taylor", "copies": -1}', "`copies` cannot be -1"),
+    ('{"stepping": "Taylor series", "method": "Taylor", "step": NaN}', "`step` cannot be nan"),
+    ('{"stepping": "Taylor series", "method": "Taylor", "step": 1' + 400 * "0" + "}", "cannot be <whole number of"),
     ('{"stepping": "Taylor series", "method": "Taylor", "otherwise": {}}', "must have `stepping`"),
     ('{"stepping": ' * 100_000, "the plan of the motion is not one"),
 ])  # fmt: skip

@@ -160,6 +160,7 @@ CALLED_BY_OTHERS = {
     "integrators.probing.find_undeclared_jumps", "spacecraft.systems.attachments.checked_jumps",
     "integrators.base.explicit", "integrators.base.step_count", "poisson.brackets.as_points",
     "poisson.reconstruction.hermite", "systems.trajectories.make_trajectory", "planning.Request.of_copies",
+    "planning.Request.name_copies",
     "planning.without_warnings", "planning.check_request", "planning.check_every", "planning.prepare",
     "planning.prepare_without_series", "measuring.throws.flight.check_windows",
     "systems.base.as_finite_state", "systems.base.check_unit_attitude", "systems.base.components",

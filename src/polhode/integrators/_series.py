@@ -93,8 +93,8 @@ class Taylor:
     precision: str = "double"
 
     def __post_init__(self) -> None:
-        lowest, highest = LIMITS.min_order, LIMITS.max_order
-        if self.order is not None and not (isinstance(self.order, int) and lowest <= self.order <= highest):
+        lowest, highest, order = LIMITS.min_order, LIMITS.max_order, self.order
+        if order is not None and not (isinstance(order, int | np.integer) and lowest <= order <= highest):
             raise InvalidInput(f"`order` of Taylor must be from {lowest} to {highest}; got {shown(self.order)}.")
         if self.precision not in PRECISIONS:
             raise InvalidInput(
@@ -127,17 +127,19 @@ def _one(system: AbstractSystem, state: Double[Array, "..."]) -> Array:
 
 
 def find_obstacle(
-    system: AbstractSystem, state: Double[Array, "..."], times: tuple[float, float]
+    system: AbstractSystem, state: Double[Array, "..."], times: tuple[float, float], extended: bool = False
 ) -> NoSeries | None:
-    """Return why motions between two times have no series of single numbers, as far as their starts show it."""
+    """Return why motions between two times have no series, as far as their starts show it."""
     one = _one(system, state)
     try:
         check_sizes(np.reshape(np.asarray(state), (-1, *one.shape)))
-        build_machine(system, one, times, signs=())
+        if goes_by_arrays(system, state):
+            return None
+        build_machine(system, one, times, extended=extended, signs=None if extended else ())
     except NoSeries as error:
         return error
     except Untraceable as error:
-        return _refuse(system, error)
+        return _refuse(system, error, extended)
     return None
 
 
@@ -395,5 +397,5 @@ def check_sizes(states: Double[Array, "copies ..."]) -> None:
         raise NoSeries(
             f"`state` must be of a size within {smallest:g} to {1.0 / smallest:g} for Taylor, which multiplies its "
             f"numbers; got {sizes[np.argmax(wrong)]:.3g}. Choose units in which it is nearer to one.",
-            "its state is so large or small that products of its numbers overflow or vanish",
+            "its state is so large or small that products of its numbers overflow or vanish", wrong,
         )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import asdict, dataclass, fields
 from enum import Enum
 from typing import Any
@@ -80,10 +81,9 @@ class MotionPlan:
         if not isinstance(entries, dict) or not {"stepping", "method"} <= entries.keys():
             raise ValueError("it must have `stepping` and `method`")
         if unknown := entries.keys() - {field.name for field in fields(cls)}:
-            raise ValueError(f"it has no {', '.join(sorted(map(str, unknown)))}")
-        for name, allowed in _JSON_TYPES.items():
-            value = entries.get(name)
-            if value is not None and (isinstance(value, bool) or not isinstance(value, allowed)):
+            raise ValueError(f"a plan has no {', '.join(sorted(map(str, unknown)))}")
+        for name, value in entries.items():
+            if name != "otherwise" and not _is_one(name, value):
                 raise ValueError(f"`{name}` cannot be {shown(value)}")
         rest = {name: value for name, value in entries.items() if name not in ("stepping", "otherwise")}
         nested = entries.get("otherwise")
@@ -91,7 +91,10 @@ class MotionPlan:
                    cls.from_json_dict(nested))
 
 
-_JSON_TYPES: dict[str, Any] = {
-    "stepping": str, "method": str, "order": int, "step": (int, float), "tolerance": (int, float), "copies": int,
-    "engine": str, "reason": str,
-}  # fmt: skip
+def _is_one(name: str, value: Any) -> bool:
+    """Whether a value of JSON may be that of a field."""
+    if name in ("order", "copies"):
+        return isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 2**63
+    if name in ("step", "tolerance"):
+        return isinstance(value, float | int) and not isinstance(value, bool) and 0.0 < value <= sys.float_info.max
+    return isinstance(value, str)

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.arrays import compiled_for_few_calls, require_doubles
+from polhode._base.arrays import compiled_for_few_calls, refuse_complex, require_doubles
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Double, Float64, Real
@@ -77,6 +77,7 @@ def advancing_times(value: Real[ArrayLike, "time"]) -> Float64[np.ndarray, "time
         InvalidInput: otherwise.
     """
     require_doubles(times=value)
+    refuse_complex("times", value)
     try:
         times = np.asarray(value, dtype=float)
     except (TypeError, ValueError):

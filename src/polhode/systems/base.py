@@ -12,7 +12,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode._base.arrays import known_numbers_only, namespace, require_doubles
+from polhode._base.arrays import known_numbers_only, namespace, refuse_complex, require_doubles
 from polhode.algebra._functions import Function
 from polhode.algebra._rotations import check_rotations, parts_of_point, turns_alone
 from polhode.algebra.base import AbstractLieAlgebra, HashableModule
@@ -396,6 +396,8 @@ def as_finite_state(state: Real[ArrayLike, "*shape"], dtype: Any, length: int | 
         InvalidInput: for what is not a number, NaN or an infinity, or a last axis not of the length.
     """
     require_doubles(state=state)
+    if not np.issubdtype(dtype, np.complexfloating):
+        refuse_complex("state", state)
     try:
         state = jnp.asarray(state, dtype=dtype)
     except (TypeError, ValueError):

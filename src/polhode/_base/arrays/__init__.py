@@ -27,6 +27,7 @@ from polhode._base.arrays.namespaces import (
     known_numbers_only,
     namespace,
     nearest,
+    refuse_complex,
     require_doubles,
 )
 
@@ -58,6 +59,7 @@ __all__ = [
     "known_numbers_only",
     "namespace",
     "nearest",
+    "refuse_complex",
     "require_doubles",
     "split_halves",
     "stack_last",

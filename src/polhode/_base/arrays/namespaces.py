@@ -110,6 +110,20 @@ def is_positive(value: Any) -> bool:
         return False
 
 
+def refuse_complex(name: str, value: Any) -> None:
+    """Refuse complex numbers where real ones are meant: making these real would drop their imaginary parts.
+
+    Raises:
+        InvalidInput: naming the argument.
+    """
+    try:
+        is_complex = np.iscomplexobj(value if hasattr(value, "dtype") else np.asarray(value))
+    except (TypeError, ValueError):  # ragged, which is refused elsewhere in other words
+        return
+    if is_complex:
+        raise InvalidInput(f"`{name}` must be real; got complex numbers. Give their real parts, if that is meant.")
+
+
 def always(x: Any, value: float) -> bool:
     """Return whether x is a single NumPy number equal to ``value``, so that an operation with it may be left out."""
     return isinstance(x, np.ndarray) and x.ndim == 0 and bool(x == value)
