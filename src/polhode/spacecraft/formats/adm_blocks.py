@@ -148,8 +148,9 @@ class Block:
         Raises:
             FormatError: if it is none.
         """
+        text, time_system = self.text(keyword), self.time_system  # what they refuse is a ValueError too
         try:
-            return read_epoch(self.text(keyword), self.time_system)
+            return read_epoch(text, time_system)
         except ValueError as error:
             self.wrong(keyword, str(error))
 

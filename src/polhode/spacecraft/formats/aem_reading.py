@@ -119,10 +119,11 @@ def _convert_rows(block: Block) -> tuple[Array, ...]:
 def _convert_states(block: Block) -> tuple[Array, ...]:
     """Return instants, numbers (n, k) and lines of a segment's attitudes in XML."""
     _check_metadata(block)
-    kind, instants, columns = _kind(block), [], []
+    kind, time_system, instants, columns = _kind(block), block.time_system, [], []
     for state in block.states:
+        epoch = state.text("EPOCH")
         try:
-            instants.append(read_epoch(state.text("EPOCH"), block.time_system))
+            instants.append(read_epoch(epoch, time_system))
         except ValueError as error:
             refuse(block.path, state.values["EPOCH"][1], f"the epoch {error}. {CHECK}")
         columns.append(state.numbers(COLUMNS[kind]))

@@ -1,0 +1,71 @@
+"""What CCSDS attitude messages may not say is refused in one sentence, with the line where it is.
+
+The rules are those of 504.0-B-2: 3.2.4 for an APM, 4.2.4 for an AEM, 5.3.4 to 5.3.6 for an ACM.
+"""
+
+import pytest
+
+from polhode.cli.main import main
+from polhode.errors import FormatError
+from polhode.spacecraft.formats.adm_state import read_acm, read_apm
+from polhode.spacecraft.formats.aem_reading import read_aem
+from spacecraft.aem_specimens import message
+from spacecraft.test_attitude_messages import ACM, XML, apm, saved
+
+AEM = message("QUATERNION", "0 0 0 1")
+AEM_XML = """<aem id="CCSDS_AEM_VERS" version="2.0"><header><ORIGINATOR>X</ORIGINATOR></header><body><segment><metadata>
+<OBJECT_NAME>SAT</OBJECT_NAME><OBJECT_ID>1</OBJECT_ID><REF_FRAME_A>EME2000</REF_FRAME_A>
+<REF_FRAME_B>SC_BODY_1</REF_FRAME_B><TIME_SYSTEM>UTC</TIME_SYSTEM>
+<START_TIME>2020-01-01T00:00:00</START_TIME><STOP_TIME>2020-01-01T00:00:00</STOP_TIME>
+<ATTITUDE_TYPE>QUATERNION/ANGVEL</ATTITUDE_TYPE><ANGVEL_FRAME>SC_BODY_1</ANGVEL_FRAME></metadata><data>
+<attitudeState><quaternionAngVel>
+<EPOCH>2020-01-01T00:00:00</EPOCH>
+<quaternion><Q1>0</Q1><Q2>0</Q2><Q3>0</Q3><QC>1</QC></quaternion>
+<angVel><ANGVEL_X units="deg/s">1</ANGVEL_X>
+<ANGVEL_Y units="deg/s">2</ANGVEL_Y><ANGVEL_Z units="deg/s">3</ANGVEL_Z></angVel>
+</quaternionAngVel></attitudeState></data></segment></body></aem>
+"""
+SYSTEMS = "must be one of UTC, TAI, TT, TDB, TCB, TCG, GPS to be read here; got 'UT1'. Check the file."
+
+
+def refusal(tmp_path, read, text, *change):
+    """Return what is said of a file, less its name, once the text is changed in one place."""
+    if change:
+        assert change[0] in text
+        text = text.replace(*change, 1)
+    path = saved(tmp_path, text)
+    with pytest.raises(FormatError) as caught:
+        read(path)
+    said = str(caught.value)
+    assert said.startswith(str(path)) and said.count(str(path)) == 1
+    return said.removeprefix(str(path)).lstrip(", ")
+
+
+@pytest.mark.parametrize(("read", "text", "line"), [
+    (read_apm, apm(), 6), (read_acm, ACM, 19), (read_aem, AEM, 9), (read_apm, XML, 3), (read_aem, AEM_XML, 3),
+])  # fmt: skip
+def test_another_time_system_is_refused_once(tmp_path, read, text, line):
+    old = "TIME_SYSTEM>UTC" if text.startswith("<") else "TIME_SYSTEM = UTC"
+    said = refusal(tmp_path, read, text, old, old.replace("UTC", "UT1"))
+    assert said == f"line {line}: TIME_SYSTEM {SYSTEMS}"
+
+
+@pytest.mark.parametrize(("read", "text", "missing", "said"), [
+    (read_apm, apm(), "EPOCH = 2026-03-01T12:00:00\n", "line 1: EPOCH is missing. Check the file."),
+    (read_acm, ACM, "EPOCH_TZERO = 2026-03-01T12:00:00\n", "line 1: EPOCH_TZERO is missing. Check the file."),
+    (read_apm, XML, "<EPOCH>2008-04-07T00:00:00.0</EPOCH>", "line 2: EPOCH is missing. Check the file."),
+    (read_apm, apm(), "TIME_SYSTEM = UTC\n", "line 1: TIME_SYSTEM is missing. Check the file."),
+    (read_aem, AEM_XML, "<EPOCH>2020-01-01T00:00:00</EPOCH>\n",
+     "line 6: EPOCH is missing in this block attitudeState. Check the file."),
+])  # fmt: skip
+def test_an_epoch_that_is_missing(tmp_path, read, text, missing, said):
+    assert refusal(tmp_path, read, text, missing, "") == said
+
+
+def test_import_says_what_an_aem_in_xml_is_without(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    saved(tmp_path, AEM_XML.replace("<EPOCH>2020-01-01T00:00:00</EPOCH>\n", ""), "sat.xml")
+    with pytest.raises(SystemExit):
+        main(["import", "sat.xml", "--out", "sat.nc"])
+    said = " ".join(capsys.readouterr().err.split())
+    assert "sat.xml, line 6: EPOCH is missing in this block attitudeState. Check the file." in said
