@@ -3,6 +3,7 @@
 The rules are those of 504.0-B-2: 3.2.4 for an APM, 4.2.4 for an AEM, 5.3.4 to 5.3.6 for an ACM.
 """
 
+import numpy as np
 import pytest
 
 from polhode.cli.main import main
@@ -69,3 +70,38 @@ def test_import_says_what_an_aem_in_xml_is_without(tmp_path, monkeypatch, capsys
         main(["import", "sat.xml", "--out", "sat.nc"])
     said = " ".join(capsys.readouterr().err.split())
     assert "sat.xml, line 6: EPOCH is missing in this block attitudeState. Check the file." in said
+
+
+def old_in_xml(rates):
+    """Return an AEM of version 1.0 with rates under the one name that all have there."""
+    turns = "".join(f'<rotation{k} rate="{x}_Rate" units="deg/s">{k}</rotation{k}>' for k, x in enumerate("XYZ", 1))
+    text = AEM_XML.replace('version="2.0"', 'version="1.0"').replace("QUATERNION/ANGVEL", rates)
+    text = text.replace("<ANGVEL_FRAME>SC_BODY_1</ANGVEL_FRAME>", "<ATTITUDE_DIR>A2B</ATTITUDE_DIR>"
+                        "<QUATERNION_TYPE>LAST</QUATERNION_TYPE><RATE_FRAME>REF_FRAME_B</RATE_FRAME>")  # fmt: skip
+    head, tail = text.split("<angVel>")
+    return f"{head}<rotationRates>{turns}</rotationRates>{tail[tail.index('</quaternionAngVel'):]}"
+
+
+def test_numbers_of_an_aem_that_its_type_does_not_have(tmp_path):
+    """In keyword = value form lines with more numbers than the type has are refused too."""
+    said = refusal(tmp_path, read_aem, AEM_XML, "QUATERNION/ANGVEL", "QUATERNION")
+    assert said == "line 9: ANGVEL_X must not be there, as ATTITUDE_TYPE is QUATERNION. Check the file."
+    said = refusal(tmp_path, read_aem, AEM_XML, "</quaternion>", "</quaternion><EXTRA>1</EXTRA>")
+    assert said == "line 8: EXTRA must not be there, as ATTITUDE_TYPE is QUATERNION/ANGVEL. Check the file."
+    assert refusal(tmp_path, read_aem, AEM, "0 0 0 1", "0 0 0 1 1 2 3").startswith("line 15: must be an epoch and 4")
+    for text in (AEM_XML, old_in_xml("QUATERNION/RATE")):
+        rates = read_aem(saved(tmp_path, text)).angular_velocity[0]
+        assert np.degrees(rates) == pytest.approx([1.0, 2.0, 3.0])
+    said = refusal(tmp_path, read_aem, old_in_xml("QUATERNION"))
+    assert said.startswith("line 9: ANGLE_1_DOT must not be there, as ATTITUDE_TYPE is QUATERNION.")
+
+
+@pytest.mark.parametrize(("read", "text", "old", "new", "said"), [
+    (read_aem, AEM_XML, 'X units="deg/s"', 'X unit="rad/s"',
+     "line 9: unknown attribute of ANGVEL_X 'unit'; did you mean units?"),
+    (read_aem, AEM_XML, "<angVel>", '<angVel unit="rad/s">', "line 9: unknown attribute of angVel 'unit'; did you"),
+    (read_apm, XML, 'IXX units="kg*m**2"', 'IXX scale="1000"', "line 6: unknown attribute of IXX 'scale'; known here"),
+    (read_aem, AEM_XML, 'X units="deg/s"', 'X units="rad/s"', "line 9: ANGVEL_X must be in deg/s; got 'rad/s'."),
+])  # fmt: skip
+def test_attributes_that_numbers_do_not_have(tmp_path, read, text, old, new, said):
+    assert refusal(tmp_path, read, text, old, new).startswith(said)

@@ -17,6 +17,8 @@ from polhode.errors import shown
 from polhode.formats.opening import MB
 
 STATE = "attitudeState"
+OLD_RATES = {f"ANGLE_{k}_DOT": f"ANGVEL_{axis}" for k, axis in zip((1, 2, 3), "XYZ", strict=True)}
+"""In XML of version 1.0 the rates of the turns have one name, be they derivatives or velocities."""
 _USER = "USER_DEFINED_"
 _HEADER = ("CLASSIFICATION", "CREATION_DATE", "ORIGINATOR", "MESSAGE_ID")
 _FRAMES = ("REF_FRAME_A", "REF_FRAME_B")

@@ -13,15 +13,17 @@ from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.opening import open_file
 from polhode.formats.xml_nodes import Node, read_xml
 from polhode.spacecraft.formats.adm_blocks import CHECK, Block, refuse
-from polhode.spacecraft.formats.adm_keywords import STATE, Message, explain_unknown
+from polhode.spacecraft.formats.adm_keywords import OLD_RATES, STATE, Message, explain_unknown
 from polhode.types import Array
 
 Convert = Callable[[Block], tuple[Array, ...]]
 Lines = Iterator[tuple[int, str]]
 _CUT_SHORT = "the file is cut short. Get it whole."
 _OLD_ANGLES = {f"rotation{k}": (f"ANGLE_{k}",) for k in (1, 2, 3)}
-_OLD_RATES = {f"rotation{k}": (f"ANGLE_{k}_DOT", f"ANGVEL_{axis}") for k, axis in zip((1, 2, 3), "XYZ", strict=True)}
-"""In version 1.0 angles and rates have one name, in the order of the turns; its rates are derivatives or velocities."""
+_OLD_RATES = {f"rotation{k}": pair for k, pair in enumerate(OLD_RATES.items(), 1)}
+"""In version 1.0 angles and rates have one name, in the order of the turns."""
+_ATTRIBUTES = {f"rotation{k}": ("units", "angle", "rate") for k in (1, 2, 3)}
+"""Of elements; others have units alone."""
 
 
 def read_blocks(path: Path, message: Message, convert: Convert | None = None) -> list[Block]:
@@ -186,6 +188,8 @@ def _from_xml(path: Path, message: Message, root: Node) -> list[Block]:
 def _put_leaves(message: Message, block: Block, name: str, node: Node, deep: bool) -> None:
     old = _OLD_RATES if node.tag == "rotationRates" else _OLD_ANGLES
     for child in node.children:
+        if deep or not child.children:
+            _check_attributes(block, child)
         if child.children:
             if deep:
                 _put_leaves(message, block, name, child, deep)
@@ -195,3 +199,15 @@ def _put_leaves(message: Message, block: Block, name: str, node: Node, deep: boo
             unit = f" [{units}]" if (units := child.attributes.get("units")) else ""
             for keyword in old.get(child.tag, (child.tag,)):
                 _put(message, block, name, keyword, child.text.strip() + unit, child.line)
+
+
+def _check_attributes(block: Block, node: Node) -> None:
+    """Refuse attributes that the schema does not have: with ``unit="rad/s"`` a number would be one of deg/s.
+
+    Raises:
+        FormatError: naming the line.
+    """
+    known = _ATTRIBUTES.get(node.tag, ("units",))
+    for name in node.attributes:
+        if name not in known and name.partition(":")[0] not in ("xml", "xmlns", "xsi"):
+            refuse(block.path, node.line, explain_unknown(f"attribute of {node.tag}", name, known))

@@ -19,7 +19,7 @@ from polhode.motion._layout import ATTITUDE, StateLayout
 from polhode.motion._outcome import Ending, Outcome
 from polhode.motion._trajectory import Trajectory
 from polhode.spacecraft.formats.adm_blocks import CHECK, Block, refuse
-from polhode.spacecraft.formats.adm_keywords import AEM, AEM_NEEDED
+from polhode.spacecraft.formats.adm_keywords import AEM, AEM_NEEDED, OLD_RATES
 from polhode.spacecraft.formats.adm_reading import read_blocks
 from polhode.types import Array
 
@@ -120,7 +120,13 @@ def _convert_states(block: Block) -> tuple[Array, ...]:
     """Return instants, numbers (n, k) and lines of a segment's attitudes in XML."""
     _check_metadata(block)
     kind, time_system, instants, columns = _kind(block), block.time_system, [], []
+    known = {"EPOCH", *COLUMNS[kind]}
+    if _is_old(block):
+        known |= {name for pair in OLD_RATES.items() if not known.isdisjoint(pair) for name in pair}
     for state in block.states:
+        for keyword in state.values:
+            if keyword not in known:
+                state.wrong(keyword, f"must not be there, as ATTITUDE_TYPE is {block.text('ATTITUDE_TYPE')}")
         epoch = state.text("EPOCH")
         try:
             instants.append(read_epoch(epoch, time_system))
