@@ -105,3 +105,47 @@ def test_numbers_of_an_aem_that_its_type_does_not_have(tmp_path):
 ])  # fmt: skip
 def test_attributes_that_numbers_do_not_have(tmp_path, read, text, old, new, said):
     assert refusal(tmp_path, read, text, old, new).startswith(said)
+
+
+AGAIN = "epochs must ascend, without repetition; this one does not come after the one before. Check the file."
+TOO_LARGE = "gives a rate, an angular momentum or an energy too large for numbers. Check the file."
+
+
+@pytest.mark.parametrize(("old", "new", "said"), [
+    ("\n2.0 ", "\n0.5 ", f"line 40: {AGAIN}"),
+    ("\n2.0 ", "\n1.0 ", f"line 40: {AGAIN}"),
+    ("\n2.0 ", "\n2026-03-01T12:00:01 ", f"line 40: {AGAIN}"),
+    ("-2.0 0.5\n2.0", "-2.0 1e308\n2.0", f"line 39: {TOO_LARGE}"),
+    ("-2.0 0.5\n2.0", "-2.0 0.5\n2.0 1", "line 40: must be an epoch and 7 numbers, as in the first line; got"),
+    ("START_TIME = 0.0", "START_TIME = 4.0", "line 23: STOP_TIME must not lie before START_TIME; got 3.0, and 4.0"),
+    ("STOP_TIME = 3.0", "STOP_TIME = 2026-03-01T11:59:59", "line 23: STOP_TIME must not lie before START_TIME; got"),
+    ("START_TIME = 0.0", "START_TIME = yesterday", "line 22: START_TIME must be a number in decimal digits; got 'yest"),
+    ("START_TIME = 0.0", "START_TIME = 2026-03-01T25:00:00", "line 22: START_TIME has no such time of day in UTC; got"),
+    ("START_TIME = 0.0", "START_TIME = 0.0 [min]", "line 22: START_TIME must be in s; got 'min'."),
+])  # fmt: skip
+def test_times_and_rates_of_an_acm(tmp_path, old, new, said):
+    assert refusal(tmp_path, read_acm, ACM, old, new).startswith(said)
+
+
+@pytest.mark.parametrize("start", ["0.0 [s]", "2026-03-01T12:00:00Z", "-1e3", "3"])
+def test_spans_of_an_acm_that_may_be(tmp_path, start):
+    assert len(read_acm(saved(tmp_path, ACM.replace("START_TIME = 0.0", f"START_TIME = {start}"))).times) == 4
+
+
+def test_the_line_of_an_acm_that_is_no_rotation(tmp_path):
+    row = ACM.split("\n")[39].split()
+    said = refusal(tmp_path, read_acm, ACM, f"2.0 {row[1]}", "2.0 9.5")
+    assert said.startswith("line 40: must be a quaternion of unit length; got one of length 9.5")
+
+
+def test_rates_of_an_apm_that_are_too_large(tmp_path):
+    inertia = "INERTIA_START\nINERTIA_REF_FRAME = SC_BODY_1\nIXX = 2000\nIYY = 3000\nIZZ = 4000\nINERTIA_STOP\n"
+    said = refusal(tmp_path, read_apm, apm(rates=(1e308, 0.0, 0.0)) + inertia)
+    assert said == f"line 16: {TOO_LARGE}"
+
+
+@pytest.mark.parametrize(("read", "text"), [(read_apm, apm()), (read_acm, ACM)])
+def test_a_time_system_in_small_letters(tmp_path, read, text):
+    """Its leap seconds count as those of UTC do."""
+    labels = read(saved(tmp_path, text.replace("= UTC", "= utc"))).source.labels
+    assert (labels.epoch, labels.time_system) == ("2026-03-01T12:00:00", "UTC")

@@ -11,10 +11,11 @@ from typing import Any, NoReturn
 import numpy as np
 
 from polhode.errors import FormatError, shown
+from polhode.formats.aem_attitudes import Meaning, attitudes
 from polhode.formats.epochs import TIME_SYSTEMS, read_epoch
 from polhode.formats.labels import is_in_spacecraft, plain
 from polhode.formats.numerals import read_number
-from polhode.types import Array, Float64, Integer, Shaped
+from polhode.types import Array, Bool, Float64, Integer, Shaped
 
 _UNIT = re.compile(r"\s*\[(?P<unit>[^\]]*)\]\s*$")
 _ROTATION_SEQUENCE = re.compile(r"([XYZ])(?!\1)([XYZ])(?!\2)[XYZ]")
@@ -129,6 +130,48 @@ class Block:
             columns.append(row)
         lines = np.array([line for line, _ in self.rows], dtype=np.int64)
         return np.array(instants), np.array(columns), lines
+
+    def turn(
+        self, meaning: Meaning, columns: Float64[Array, "n k"], lines: Integer[Array, "n"]
+    ) -> tuple[Float64[Array, "n 4"], Float64[Array, "n 3"] | None]:
+        """Return attitudes and angular velocities, or None, as ``attitudes`` does, of numbers with their lines.
+
+        Raises:
+            FormatError: naming the line of what is no rotation, or is too large.
+        """
+        try:
+            with np.errstate(all="ignore"):  # what overflows is not finite, and refused
+                attitude, velocity = attitudes(meaning, columns)
+        except ValueError as error:
+            what, k = error.args
+            refuse(self.path, int(lines[k]), f"{what}. {CHECK}")
+        self.check_finite("a rotation or a rate", lines, attitude, velocity)
+        return attitude, velocity
+
+    def check_finite(self, what: str, lines: Integer[Array, "n"], *samples: Float64[Array, "n k"] | None) -> None:
+        """Refuse samples (n, k) that came out infinite.
+
+        Raises:
+            FormatError: naming the line.
+        """
+        columns = np.concatenate([sample for sample in samples if sample is not None], axis=-1)
+        if (wrong := ~np.isfinite(columns).all(axis=-1)).any():
+            refuse(self.path, int(lines[np.argmax(wrong)]), f"gives {what} too large for numbers. {CHECK}")
+
+    def check_ascending(self, ascending: Bool[Array, "n_less_one"], lines: Integer[Array, "n"]) -> None:
+        """Refuse instants that do not come after the one before.
+
+        Args:
+            ascending: whether the second instant and each later one do.
+            lines: of all.
+
+        Raises:
+            FormatError: naming the line.
+        """
+        if not ascending.all():
+            line = int(lines[1:][~ascending][0])
+            refuse(self.path, line, "epochs must ascend, without repetition; this one does not come after the one "
+                                    f"before. {CHECK}")
 
     def has(self, keywords: list[str]) -> bool:
         """Whether the block has all of these."""

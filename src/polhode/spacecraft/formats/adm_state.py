@@ -16,7 +16,7 @@ import numpy as np
 from polhode import rotation
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
-from polhode.formats.aem_attitudes import COLUMNS, VELOCITY, Meaning, attitudes
+from polhode.formats.aem_attitudes import COLUMNS, VELOCITY, Meaning
 from polhode.formats.epochs import read_epoch, shortest, since
 from polhode.formats.labels import AttitudeLabels, Recording, plain
 from polhode.formats.numerals import read_number
@@ -64,6 +64,24 @@ class _State(NamedTuple):
     in_space: bool = False
 
 
+class _History(NamedTuple):
+    """Attitudes (n, 4) and angular velocities (n, 3) along the body's axes, or None.
+
+    Attributes:
+        zero: the instant from which times count.
+        times: (n,) [s].
+        lines: (n,) of the file.
+        attitude: (n, 4).
+        velocity: (n, 3) or None.
+    """
+
+    zero: tuple[int, int]
+    times: Array
+    lines: Array
+    attitude: Array
+    velocity: Array | None
+
+
 def read_apm(path: Path) -> Trajectory:
     """Return the one attitude of an APM, with the angular velocity and the body's inertia where it has them.
 
@@ -83,7 +101,9 @@ def read_apm(path: Path) -> Trajectory:
     doubts = [doubt for state in others if state and (doubt := _doubt_attitude(taken, state))]
     if rated is not None and plain(rated.space) != plain(taken.space):
         doubts.append(f"its angular velocity is relative to {rated.space}, and the attitude to {taken.space}")
-    return _make(first, blocks, (taken.space, taken.body), zero, np.zeros(1), taken.attitude[None], velocity, doubts)
+    lines = np.array([(taken if rated is None else rated).block.line])
+    history = _History(zero, np.zeros(1), lines, taken.attitude[None], velocity)
+    return _make(first, blocks, (taken.space, taken.body), history, doubts)
 
 
 def read_acm(path: Path) -> Trajectory:
@@ -102,7 +122,8 @@ def read_acm(path: Path) -> Trajectory:
     if written not in FAMILIES or rate not in RATES:
         block.wrong("ATT_TYPE", f"must be {' or '.join(FAMILIES)} to be read here, with the RATE_TYPE "
                                 f"{', '.join(RATES)}")
-    times, numbers = _rows(block, first, zero)
+    _check_span(first, zero)
+    times, numbers, lines = _rows(block, first.time_system, zero)
     family, (rates, _) = FAMILIES[written], RATES[rate]
     space, body, backward = block.frames()
     sequence = None if family == "QUATERNION" else block.sequence()
@@ -110,9 +131,10 @@ def read_acm(path: Path) -> Trajectory:
     kind = f"{family}/{rates}" if rates else family
     # the velocity is along frame B, which is that of space where the rotation is from body to space
     meaning = Meaning(kind, sequence, False, backward, backward)
-    attitude, velocity = _turn(block, meaning, numbers[:, : len(COLUMNS[kind])])
+    attitude, velocity = block.turn(meaning, numbers[:, : len(COLUMNS[kind])], lines)
     doubts = [f"it has {len(others) + 1} blocks of attitudes, of which the first is read"] if others else []
-    return _make(first, blocks, (space, body), zero, times, attitude, velocity, doubts)
+    history = _History(zero, times, lines, attitude, velocity)
+    return _make(first, blocks, (space, body), history, doubts)
 
 
 def _check_width(block: Block, written: str, rate: str, count: int) -> None:
@@ -133,12 +155,16 @@ def _check_width(block: Block, written: str, rate: str, count: int) -> None:
 
 
 def _make(
-    first: Block, blocks: list[Block], names: tuple[str, str], zero: tuple[int, int], times: Array, attitude: Array,
-    velocity: Array | None, doubts: list[str],
+    first: Block, blocks: list[Block], names: tuple[str, str], history: _History, doubts: list[str],
 ) -> Trajectory:
-    system = first.text("TIME_SYSTEM")
+    system, (zero, times, lines, attitude, velocity) = first.time_system, history
     frame, more = _body(blocks, names[1])
-    momentum = None if frame is None or velocity is None else velocity @ frame.inertia
+    momentum = energy = None
+    if frame is not None and velocity is not None:
+        with np.errstate(all="ignore"):  # what overflows is not finite, and refused
+            momentum = velocity @ frame.inertia
+            energy = (velocity * momentum).sum(axis=-1, keepdims=True)
+    first.check_finite("a rate, an angular momentum or an energy", lines, attitude, velocity, momentum, energy)
     states = attitude if momentum is None else np.concatenate([attitude, momentum], axis=1)
     layout = StateLayout((ATTITUDE,) if momentum is None else (ATTITUDE, MOMENTUM))
     identifier = first.text("OBJECT_ID", "") or first.text("INTERNATIONAL_DESIGNATOR", "")
@@ -151,13 +177,6 @@ def _make(
             [*doubts, *more])), source=Recording(labels.object_name, labels), frame=frame,
         axes=None if frame is None else np.asarray(frame.axes),
     )
-
-
-def _turn(block: Block, meaning: Meaning, columns: Array) -> tuple[Array, Array | None]:
-    try:
-        return attitudes(meaning, columns)
-    except ValueError as error:
-        raise FormatError(f"{block.path}, line {block.line}: {error.args[0]}. {CHECK}") from None
 
 
 def _states(block: Block) -> list[_State]:
@@ -179,7 +198,7 @@ def _states(block: Block) -> list[_State]:
     kinds = (f"{family}/{more}" for more in ("DERIVATIVE", "NUTATION", "NUTATION_MOM") if f"{family}/{more}" in COLUMNS)
     kind = next((kind for kind in kinds if block.has([*COLUMNS[kind]][: 5 if family == "SPIN" else None])), family)
     meaning = Meaning(kind, block.sequence() if family == "EULER_ANGLE" else None, backward=backward)
-    attitude, velocity = _turn(block, meaning, np.array([block.numbers(COLUMNS[kind])]))
+    attitude, velocity = block.turn(meaning, np.array([block.numbers(COLUMNS[kind])]), np.array([block.line]))
     return [_State(block, space, body, attitude[0], None if velocity is None else velocity[0])]
 
 
@@ -214,17 +233,33 @@ def _along_body(state: _State, known: _State) -> Array:
     return rotation.rotate(rotation.conjugate(known.attitude), state.velocity)
 
 
-def _rows(block: Block, first: Block, zero: tuple[int, int]) -> tuple[Array, Array]:
-    """Return times [s] from the message's zero and the numbers of an ACM's lines."""
+def _rows(block: Block, time_system: str, zero: tuple[int, int]) -> tuple[Array, Array, Array]:
+    """Return ascending times [s] from the message's zero, the numbers of an ACM's lines, and where the lines are."""
     def instant(word: str) -> float:
-        if "T" not in word:
-            return read_number(word)
-        whole, picoseconds = read_epoch(word, first.time_system)
-        return float(since(zero, np.array([whole]), np.array([picoseconds]))[0])
+        return _elapsed(read_epoch(word, time_system), zero) if "T" in word else read_number(word)
 
     if not block.rows:
         refuse(block.path, block.line, f"has no attitudes. {CHECK}")
-    return block.read_rows(instant, None, "as in the first line")[:2]
+    times, numbers, lines = block.read_rows(instant, None, "as in the first line")
+    block.check_ascending(np.diff(times) > 0, lines)
+    return times, numbers, lines
+
+
+def _elapsed(epoch: tuple[int, int], zero: tuple[int, int]) -> float:
+    return float(since(zero, np.array(epoch[:1]), np.array(epoch[1:]))[0])
+
+
+def _check_span(first: Block, zero: tuple[int, int]) -> None:
+    """Refuse a span of an ACM that ends before it begins, or whose ends are no times.
+
+    Raises:
+        FormatError: naming the line.
+    """
+    ends = {keyword: _elapsed(first.epoch(keyword), zero) if "T" in first.text(keyword) else first.number(keyword, "s")
+            for keyword in ("START_TIME", "STOP_TIME") if keyword in first.values}  # fmt: skip
+    if len(ends) == 2 and ends["STOP_TIME"] < ends["START_TIME"]:
+        first.wrong("STOP_TIME", f"must not lie before START_TIME; got {first.text('STOP_TIME')}, and "
+                                 f"{first.text('START_TIME')} there")
 
 
 def _body(blocks: list[Block], body: str) -> tuple[BodyFrame | None, list[str]]:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.errors import InvalidInput, shown
-from polhode.formats.aem_attitudes import COLUMNS, OLD_NAMES, Meaning, attitudes
+from polhode.formats.aem_attitudes import COLUMNS, OLD_NAMES, Meaning
 from polhode.formats.epochs import read_epoch, shortest, since
 from polhode.formats.labels import AttitudeLabels, Recording, plain
 from polhode.formats.paths import as_path
@@ -151,25 +151,13 @@ def _join_parts(block: Block) -> _Samples:
         refuse(block.path, block.line, f"the data of this segment have no attitudes. {CHECK}")
     steps, parts_of_second = np.diff(instants, axis=0).T
     ascending = (steps > 0) | ((steps == 0) & (parts_of_second > 0))
-    if not ascending.all():
-        refuse(block.path, int(lines[1:][~ascending][0]), "epochs must ascend, without repetition; this one does not "
-                                                          f"come after the one before. {CHECK}")
+    block.check_ascending(ascending, lines)
     return _Samples(instants[:, 0], instants[:, 1], columns, lines)
 
 
 def _history(block: Block, given: _Samples, start: tuple[int, int]) -> tuple[Array, Array, Array | None]:
     """Return times, attitude and angular velocity of one segment over its useable time."""
-    meaning = _interpret(block)
-    try:
-        with np.errstate(all="ignore"):  # what overflows is not finite, and refused
-            attitude, velocity = attitudes(meaning, given.columns)
-    except ValueError as error:
-        what, k = error.args
-        refuse(block.path, int(given.lines[k]), f"{what}. {CHECK}")
-    samples = attitude if velocity is None else np.concatenate([attitude, velocity], axis=-1)
-    if (wrong := ~np.isfinite(samples).all(axis=-1)).any():
-        line = int(given.lines[np.argmax(wrong)])
-        refuse(block.path, line, f"gives a rotation or a rate too large for numbers. {CHECK}")
+    attitude, velocity = block.turn(_interpret(block), given.columns, given.lines)
     times, within = since(start, given.whole, given.picoseconds), _useable(block, given)
     return times[within], attitude[within], None if velocity is None else velocity[within]
 
