@@ -7,11 +7,13 @@ import numpy as np
 import pytest
 
 from polhode.cli.main import main
-from polhode.errors import FormatError
-from polhode.spacecraft.formats.adm_state import read_acm, read_apm
+from polhode.errors import FormatError, InvalidInput
+from polhode.formats.labels import AttitudeLabels
+from polhode.spacecraft.formats.adm_state import LIMITS, read_acm, read_apm
+from polhode.spacecraft.formats.aem import write_aem
 from polhode.spacecraft.formats.aem_reading import read_aem
 from spacecraft.aem_specimens import message
-from spacecraft.test_attitude_messages import ACM, XML, apm, saved
+from spacecraft.test_attitude_messages import ACM, RATES, TURN, XML, apm, saved
 
 AEM = message("QUATERNION", "0 0 0 1")
 AEM_XML = """<aem id="CCSDS_AEM_VERS" version="2.0"><header><ORIGINATOR>X</ORIGINATOR></header><body><segment><metadata>
@@ -149,3 +151,110 @@ def test_a_time_system_in_small_letters(tmp_path, read, text):
     """Its leap seconds count as those of UTC do."""
     labels = read(saved(tmp_path, text.replace("= UTC", "= utc"))).source.labels
     assert (labels.epoch, labels.time_system) == ("2026-03-01T12:00:00", "UTC")
+
+
+INERTIA = """INERTIA_START
+INERTIA_REF_FRAME = SC_BODY_1
+IXX = 2 [kg*m**2]
+IYY = 3 [kg*m**2]
+IZZ = 4 [kg*m**2]
+INERTIA_STOP
+"""
+SPIN = """SPIN_START
+REF_FRAME_A = EME2000
+REF_FRAME_B = SC_BODY_1
+SPIN_ALPHA = 10
+SPIN_DELTA = 20
+SPIN_ANGLE = 30
+SPIN_ANGLE_VEL = 4
+SPIN_STOP
+"""
+HEAD = apm()[: apm().index("QUAT_START")]
+ANGVEL = apm()[apm().index("ANGVEL_START") :]
+
+
+@pytest.mark.parametrize(("read", "text", "line"), [
+    (read_apm, apm(), 10), (read_acm, ACM, 34), (read_aem, AEM, 8), (read_apm, XML, 5), (read_aem, AEM_XML, 3),
+])  # fmt: skip
+def test_an_attitude_between_a_frame_and_itself(tmp_path, read, text, line):
+    tag = "REF_FRAME_B>" if text.startswith("<") else "REF_FRAME_B = "
+    said = refusal(tmp_path, read, text, f"{tag}SC_BODY_1", f"{tag}eme2000")
+    rule = "must be another frame than REF_FRAME_A; got 'eme2000' for both"
+    assert said == f"line {line}: REF_FRAME_B {rule}. Check the file."
+
+
+def test_an_aem_between_a_frame_and_itself_is_not_written(tmp_path):
+    labels = AttitudeLabels(reference_frame="EME2000", body_frame="eme2000")
+    with pytest.raises(InvalidInput, match="`reference_frame` and `body_frame` must be two frames; got 'eme2000' for"):
+        write_aem(read_aem(saved(tmp_path, AEM)), tmp_path / "motion.aem", labels)
+
+
+@pytest.mark.parametrize("name", ["PHYS", "AD", "USER"])
+def test_blocks_of_which_an_acm_has_one(tmp_path, name):
+    """504.0-B-2, table 5-1."""
+    begin, end = ACM.index(f"{name}_START"), ACM.index(f"{name}_STOP\n") + len(f"{name}_STOP\n")
+    said = refusal(tmp_path, read_acm, ACM[:end] + ACM[begin:])
+    first, again = (ACM[:place].count("\n") + 1 for place in (begin, end))
+    assert said == (f"line {again}: {name}_START is there already, in line {first}, and an ACM has one. Leave out one.")
+
+
+@pytest.mark.parametrize(("read", "text", "old", "line", "said"), [
+    (read_apm, apm() + INERTIA, "IXX = 2 [kg*m**2]\n", 24, "IXX is missing in this block INERTIA. Check the file."),
+    (read_acm, ACM, "IXX = 2 [kg*m**2]\n", 43, "IXX is missing in this block PHYS. Check the file."),
+    (read_apm, XML, '<IXX units="kg*m**2">2</IXX>', 6, "IXX is missing in this block INERTIA. Check the file."),
+    (read_apm, apm() + INERTIA, "IZZ = 4 [kg*m**2]\n", 24, "IZZ is missing in this block INERTIA. Check the file."),
+])  # fmt: skip
+def test_inertias_in_part(tmp_path, read, text, old, line, said):
+    assert refusal(tmp_path, read, text, old, "") == f"line {line}: {said}"
+
+
+@pytest.mark.parametrize(("more", "said"), [
+    ("NUTATION_PER = 70\n", "line 8: NUTATION is missing in this block SPIN. Check the file."),
+    ("NUTATION = 1\nNUTATION_PHASE = 5\n", "line 8: NUTATION_PER is missing in this block SPIN. Check the file."),
+    ("MOMENTUM_DELTA = 70\n", "line 8: MOMENTUM_ALPHA is missing in this block SPIN. Check the file."),
+    ("NUTATION = 1\nNUTATION_VEL = 5\n",
+     "line 16: NUTATION_VEL must not be with NUTATION, as a block SPIN gives the nutation in one of two ways."),
+])  # fmt: skip
+def test_nutations_in_part(tmp_path, more, said):
+    """504.0-B-2, 3.2.4.1 e and 3.2.4.6."""
+    assert len(read_apm(saved(tmp_path, HEAD + SPIN)).times) == 1
+    assert refusal(tmp_path, read_apm, HEAD + SPIN, "SPIN_STOP", f"{more}SPIN_STOP").startswith(said)
+
+
+def test_derivatives_in_part_are_left_out_with_a_word(tmp_path):
+    """Each of them is optional by itself in 504.0-B-2, table 3-3."""
+    text = apm()[: apm().index("ANGVEL_START")]
+    text = text.replace("QUAT_STOP", "Q1_DOT = 0.1\nQ3_DOT = 0 [1/s]\nQUAT_STOP")
+    found = read_apm(saved(tmp_path, text))
+    assert found.angular_velocity is None
+    assert found.outcome.message == "Q1_DOT, Q3_DOT of its block QUAT left out, as it has no Q2_DOT, QC_DOT"
+    frames = "EULER_START\nREF_FRAME_A = EME2000\nREF_FRAME_B = SC_BODY_1\nEULER_ROT_SEQ = ZXZ\n"
+    text = f"{HEAD}{frames}ANGLE_1 = 1\nANGLE_2 = 2\nANGLE_3 = 3\nANGLE_2_DOT = 4\nEULER_STOP\n"
+    said = read_apm(saved(tmp_path, text)).outcome.message
+    assert said == "ANGLE_2_DOT of its block EULER left out, as it has no ANGLE_1_DOT, ANGLE_3_DOT"
+
+
+@pytest.mark.parametrize(("factor", "differs"), [(1.0, False), (1.0099, False), (1.0103, True), (-1.0, True)])
+def test_blocks_of_an_apm_that_contradict_one_another_are_not_passed_over(tmp_path, factor, differs):
+    """An APM may repeat any block (504.0-B-2, 3.2.4.4), and all are of one instant: the first is taken, with a word."""
+    assert LIMITS.max_relative == 0.01
+    rates = apm("EME2000", factor * TURN.apply(RATES))  # along the other axes
+    text = apm() + rates[rates.index("ANGVEL_START") :] + INERTIA
+    text += INERTIA.replace("IZZ = 4", f"IZZ = {4 * abs(factor)!r}")
+    found = read_apm(saved(tmp_path, text))
+    assert found.angular_velocity[0] == pytest.approx(np.radians(RATES), abs=1e-15)
+    assert found.frame.moments == pytest.approx([2.0, 3.0, 4.0])
+    apart = abs(factor - 1.0) * np.linalg.norm(np.radians(RATES))
+    rated = f"its angular velocities differ by {apart:.3g} rad/s, and the first is taken"
+    assert (rated in found.outcome.message) == differs
+    assert ("its blocks of inertia differ, and the first is taken" in found.outcome.message) == (abs(factor) > 1.01)
+
+
+def test_blocks_of_an_apm_about_other_frames(tmp_path):
+    wheel = ANGVEL.replace("SC_BODY_1", "RW_1")
+    along = ANGVEL.replace("EME2000", "LVLH")
+    text = apm() + wheel + along + INERTIA.replace("SC_BODY_1", "IMU_FRAME_1") + INERTIA
+    found = read_apm(saved(tmp_path, text))
+    assert found.frame.moments == pytest.approx([2.0, 3.0, 4.0])
+    assert found.outcome.message == ("it has the angular velocity of RW_1 against EME2000 too, which is left out; "
+                                     "it has the angular velocity of SC_BODY_1 against LVLH too, which is left out")

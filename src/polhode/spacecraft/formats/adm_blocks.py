@@ -198,8 +198,14 @@ class Block:
             self.wrong(keyword, str(error))
 
     def frames(self) -> tuple[str, str, bool]:
-        """Return the space frame, the body's, and whether frame A is the body's."""
+        """Return the space frame, the body's, and whether frame A is the body's.
+
+        Raises:
+            FormatError: where one is missing, or both are one, between which nothing turns.
+        """
         a, b = self.text("REF_FRAME_A"), self.text("REF_FRAME_B")
+        if plain(a) == plain(b):
+            self.wrong("REF_FRAME_B", f"must be another frame than REF_FRAME_A; got {shown(b)} for both")
         backward = is_in_spacecraft(a) and not is_in_spacecraft(b)
         return (b, a, True) if backward else (a, b, False)
 

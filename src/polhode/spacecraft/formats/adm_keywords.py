@@ -38,6 +38,7 @@ class Message(NamedTuple):
         rows: blocks with lines of numbers.
         max_size, max_xml_size: bytes of a file.
         max_line: characters; the standard allows 254.
+        once: blocks of which there may be one alone.
     """
 
     kind: str
@@ -50,6 +51,7 @@ class Message(NamedTuple):
     max_size: int = 200 * MB
     max_xml_size: int = 200 * MB
     max_line: int = 16_384
+    once: tuple[str, ...] = ()
 
     @property
     def version_keyword(self) -> str:
@@ -132,4 +134,5 @@ ACM = Message(
         "USER": (_USER,),
     },
     {}, {"META": ""}, {}, ("ATT", "COV"),
+    once=("PHYS", "AD", "USER"),  # table 5-1; those of an APM may be repeated, 3.2.4.4
 )

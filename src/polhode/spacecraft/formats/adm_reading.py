@@ -102,6 +102,9 @@ def _open(message: Message, blocks: list[Block], name: str, line: int) -> Block:
     if whole == STATE:
         blocks[-1].states.append(Block(blocks[0].path, STATE, line))
         return blocks[-1].states[-1]
+    if name in message.once and (earlier := next((block for block in blocks if block.name == name), None)):
+        refuse(earlier.path, line, f"{name}_START is there already, in line {earlier.line}, and an {message.kind} has "
+                                   "one. Leave out one.")
     if whole == name and name:
         values = dict(blocks[0].values) if message.order else {}  # the header is that of each segment
         blocks.append(Block(blocks[0].path, name, line, values))

@@ -38,13 +38,15 @@ SIGNS = "IXY, IXZ and IYZ are taken as entries of the inertia matrix, which are 
 
 
 class AgreementLimits(NamedTuple):
-    """When two attitudes of one instant are the same.
+    """Differences within which two blocks of one instant agree; more is no rounding.
 
     Attributes:
-        max_angle: [rad] between them; more is no rounding.
+        max_angle: [rad] between two attitudes.
+        max_relative: between two angular velocities or matrices of inertia, of the larger one.
     """
 
     max_angle: float = 0.01
+    max_relative: float = 0.01
 
 
 LIMITS = AgreementLimits()
@@ -99,6 +101,10 @@ def read_apm(path: Path) -> Trajectory:
     rated = next((state for state in states if state.velocity is not None), None)
     velocity = None if rated is None else _along_body(rated, taken)[None]
     doubts = [doubt for state in others if state and (doubt := _doubt_attitude(taken, state))]
+    doubts += [doubt for block in blocks if (doubt := _doubt_derivatives(block))]
+    if rated is not None:
+        more = [state for state in states if state.velocity is not None and state is not rated]
+        doubts += [doubt for state in more if (doubt := _doubt_velocity(rated, state, taken))]
     if rated is not None and plain(rated.space) != plain(taken.space):
         doubts.append(f"its angular velocity is relative to {rated.space}, and the attitude to {taken.space}")
     lines = np.array([(taken if rated is None else rated).block.line])
@@ -194,12 +200,52 @@ def _states(block: Block) -> list[_State]:
         return [_State(block, space, body, None, -velocity if backward else velocity, along != plain(body))]
     if family == "SPIN" and backward:
         block.wrong("REF_FRAME_A", "must be the space frame for spin data, and REF_FRAME_B the body's")
-    # spin data have more columns where the first of these is there, the others have derivatives only whole
-    kinds = (f"{family}/{more}" for more in ("DERIVATIVE", "NUTATION", "NUTATION_MOM") if f"{family}/{more}" in COLUMNS)
-    kind = next((kind for kind in kinds if block.has([*COLUMNS[kind]][: 5 if family == "SPIN" else None])), family)
+    kind = _kind_of_spin(block) if family == "SPIN" else f"{family}/DERIVATIVE"
+    kind = kind if family == "SPIN" or block.has([*COLUMNS[kind]]) else family
     meaning = Meaning(kind, block.sequence() if family == "EULER_ANGLE" else None, backward=backward)
     attitude, velocity = block.turn(meaning, np.array([block.numbers(COLUMNS[kind])]), np.array([block.line]))
     return [_State(block, space, body, attitude[0], None if velocity is None else velocity[0])]
+
+
+def _kind_of_spin(block: Block) -> str:
+    """Return the type of spin data, whose nutation is given in one of two ways or not at all (504.0-B-2, 3.2.4.6).
+
+    Raises:
+        FormatError: for both of them.
+    """
+    kinds = {kind: [name for name in COLUMNS[kind] if name in block.values and name not in COLUMNS["SPIN"]]
+             for kind in ("SPIN/NUTATION", "SPIN/NUTATION_MOM")}  # fmt: skip
+    given = [kind for kind, names in kinds.items() if names]
+    if len(given) == 2:
+        (nutation, *_), (momentum, *_) = kinds.values()
+        block.wrong(momentum, f"must not be with {nutation}, as a block SPIN gives the nutation in one of two ways",
+                    "Leave out one.")
+    return given[0] if given else "SPIN"
+
+
+def _doubt_derivatives(block: Block) -> str:
+    """Return that derivatives are left out which are too few to give a velocity; empty where none are."""
+    family = {"QUAT": "QUATERNION", "EULER": "EULER_ANGLE"}.get(block.name)
+    wanted = [name for name in COLUMNS[f"{family}/DERIVATIVE"] if name.endswith("_DOT")] if family else []
+    given = [name for name in wanted if name in block.values]
+    if len(given) in (0, len(wanted)):
+        return ""
+    missing = ", ".join(name for name in wanted if name not in given)
+    return f"{', '.join(given)} of its block {block.name} left out, as it has no {missing}"
+
+
+def _doubt_velocity(rated: _State, other: _State, taken: _State) -> str:
+    """Return what is to be said of another angular velocity than the one that is taken; empty for nothing."""
+    if (plain(rated.space), plain(rated.body)) != (plain(other.space), plain(other.body)):
+        return f"it has the angular velocity of {other.body} against {other.space} too, which is left out"
+    if other.in_space and plain(other.space) != plain(taken.space):
+        return f"it has the angular velocity along {other.space} too, which is left out"
+    pair = np.stack([_along_body(state, taken) for state in (rated, other)])
+    with np.errstate(all="ignore"):  # what overflows is refused later
+        apart = float(np.linalg.norm(pair[1] - pair[0]))
+        if apart <= LIMITS.max_relative * np.linalg.norm(pair, axis=-1).max():
+            return ""
+    return f"its angular velocities differ by {apart:.3g} rad/s, and the first is taken"
 
 
 def _doubt_attitude(taken: _State, other: _State) -> str:
@@ -230,7 +276,8 @@ def _along_body(state: _State, known: _State) -> Array:
         state.block.wrong("ANGVEL_FRAME", f"must be the body's frame, or the one that the attitude is relative to, "
                                           f"{known.space}; got {shown(state.space)}",
                           f"Have the rates written along {state.body}.")
-    return rotation.rotate(rotation.conjugate(known.attitude), state.velocity)
+    with np.errstate(all="ignore"):  # what overflows is refused later
+        return rotation.rotate(rotation.conjugate(known.attitude), state.velocity)
 
 
 def _rows(block: Block, time_system: str, zero: tuple[int, int]) -> tuple[Array, Array, Array]:
@@ -264,18 +311,34 @@ def _check_span(first: Block, zero: tuple[int, int]) -> None:
 
 def _body(blocks: list[Block], body: str) -> tuple[BodyFrame | None, list[str]]:
     """Return the mass properties along the body's axes, None without an inertia, and what to say about them."""
-    block = next((block for block in blocks if "IXX" in block.values), None)
-    if block is None:
-        return None, []
-    axes = block.text("INERTIA_REF_FRAME", body)
-    if plain(axes) != plain(body):
-        return None, [f"the inertia is left out, as it is along {axes}, and the attitude is that of {body}"]
-    matrix = np.zeros((3, 3))
-    for keyword, (i, j) in INERTIA.items():
-        matrix[i, j] = matrix[j, i] = block.number(keyword, "kg*m**2", 0.0 if i != j else None)
+    tensors = [(block, matrix) for block in blocks if (matrix := _tensor(block)) is not None]
+    axes = [block.text("INERTIA_REF_FRAME", body) for block, _ in tensors]
+    along = [tensor for tensor, frame in zip(tensors, axes, strict=True) if plain(frame) == plain(body)]
+    if not along:
+        return None, [f"the inertia is left out, as it is along {frame}, and the attitude is that of {body}"
+                      for frame in axes]  # fmt: skip
+    (block, matrix), *others = along
+    with np.errstate(all="ignore"):  # what overflows differs
+        differ = any(np.abs(other - matrix).max() > LIMITS.max_relative * max(np.abs(other).max(), np.abs(matrix).max())
+                     for _, other in others)  # fmt: skip
+    doubts = ["its blocks of inertia differ, and the first is taken"] if differ else []
     mass = block.number("WET_MASS", "kg") if "WET_MASS" in block.values else None
     try:
         known = Body.from_inertia(matrix, mass)
     except InvalidInput as error:
         raise FormatError(f"{block.path}, line {block.line}: {error}") from None
-    return known.frame, [] if np.count_nonzero(matrix) == 3 else [SIGNS]
+    return known.frame, doubts if np.count_nonzero(matrix) == 3 else [*doubts, SIGNS]
+
+
+def _tensor(block: Block) -> Array | None:
+    """Return the matrix of inertia (3, 3) of a block, None without one.
+
+    Raises:
+        FormatError: where a part of it is missing other than the entries off the diagonal, which are zero then.
+    """
+    if block.name != "INERTIA" and not any(keyword in block.values for keyword in INERTIA):
+        return None
+    matrix = np.zeros((3, 3))
+    for keyword, (i, j) in INERTIA.items():
+        matrix[i, j] = matrix[j, i] = block.number(keyword, "kg*m**2", 0.0 if i != j else None)
+    return matrix

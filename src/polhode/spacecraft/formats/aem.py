@@ -21,7 +21,7 @@ from polhode.errors import InvalidInput, shown
 from polhode.formats.animation_keys import exact_motion
 from polhode.formats.attitude_checks import single_attitude
 from polhode.formats.epochs import TIME_SYSTEMS, as_text, later, read_epoch, since
-from polhode.formats.labels import USUAL_ID, USUAL_ORIGINATOR, AttitudeLabels, find_labels, is_in_spacecraft
+from polhode.formats.labels import USUAL_ID, USUAL_ORIGINATOR, AttitudeLabels, find_labels, is_in_spacecraft, plain
 from polhode.formats.paths import write_whole
 from polhode.motion._trajectory import Trajectory
 from polhode.types import Array
@@ -73,6 +73,9 @@ def write_aem(
         raise InvalidInput(f"`reference_frame` {labels.reference_frame} has a name for frames of a spacecraft, and "
                            f"`body_frame` {labels.body_frame} has not: readers would take one for the other. "
                            "Rename one.")
+    if plain(labels.reference_frame) == plain(labels.body_frame):
+        raise InvalidInput("`reference_frame` and `body_frame` must be two frames; got "
+                           f"{shown(labels.body_frame)} for both. Rename one.")
     single_attitude(trajectory, "an AEM")
     epoch = _epoch(labels)
     whole, picoseconds = later(epoch, trajectory.times)
