@@ -11,6 +11,7 @@ import pytest
 import polhode as ph
 from polhode import fields, planning
 from polhode.errors import InvalidInput, NotConverged
+from polhode.formats.dataset_reading import make_plan
 from polhode.integrators import LieMidpoint, MuntheKaas, Splitting, Taylor
 from polhode.motion import MotionPlan, Stepping
 
@@ -114,7 +115,7 @@ def test_closed_forms_have_a_plan():
 def test_json_of_a_plan_is_read_back():
     rest = MotionPlan(Stepping.ADAPTIVE_STEPS, "Dopri8", 8, None, 1e-12, 2, planning.XLA, "no Taylor series")
     plan = MotionPlan(Stepping.SERIES, "Taylor", 24, 0.5, None, 3, planning.NUMBERS, "as asked", rest)
-    assert MotionPlan.from_json_dict(plan.as_json_dict()) == plan
+    assert make_plan(plan.as_json_dict()) == plan
     assert plan.as_json_dict()["otherwise"]["tolerance"] == 1e-12
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import sys
 import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -30,7 +31,7 @@ from polhode.formats.paths import as_path
 from polhode.formats.zarr_gate import check_store
 from polhode.motion._layout import ANGULAR_VELOCITY, ATTITUDE, MOMENTUM, Quantity, StateLayout, StatePart
 from polhode.motion._outcome import Ending, Outcome
-from polhode.motion._plan import MotionPlan
+from polhode.motion._plan import MotionPlan, Stepping
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
 from polhode.types import Array
@@ -108,9 +109,36 @@ def _plan(path: Path, attributes: Any) -> MotionPlan | None:
     if (text := attributes.get(PLAN)) is None:
         return None
     try:
-        return MotionPlan.from_json_dict(json.loads(text))
+        return make_plan(json.loads(text))
     except (TypeError, ValueError, RecursionError) as error:
         raise FormatError(f"{path}: the plan of the motion is not one: {error}. {DAMAGED}") from None
+
+
+def make_plan(entries: Any) -> MotionPlan:
+    """Return the plan that ``MotionPlan.as_json_dict`` gave.
+
+    Raises:
+        ValueError: for anything else, naming what is wrong.
+    """
+    if not isinstance(entries, dict) or not {"stepping", "method"} <= entries.keys():
+        raise ValueError("it must have `stepping` and `method`")
+    if unknown := entries.keys() - {field.name for field in dataclasses.fields(MotionPlan)}:
+        raise ValueError(f"a plan has no {', '.join(sorted(map(str, unknown)))}")
+    for name, value in entries.items():
+        if name != "otherwise" and not _may_be(name, value):
+            raise ValueError(f"`{name}` cannot be {shown(value)}")
+    rest = {name: value for name, value in entries.items() if name not in ("stepping", "otherwise")}
+    nested = entries.get("otherwise")
+    return MotionPlan(Stepping(entries["stepping"]), **rest, otherwise=None if nested is None else make_plan(nested))
+
+
+def _may_be(name: str, value: Any) -> bool:
+    """Whether a value of JSON may be that of a plan's field."""
+    if name in ("order", "copies"):
+        return isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 2**63
+    if name in ("step", "tolerance"):
+        return isinstance(value, float | int) and not isinstance(value, bool) and 0.0 < value <= sys.float_info.max
+    return isinstance(value, str)
 
 
 def _memory(variables: dict[str, Any]) -> tuple[Array, ...] | None:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 GROUP = "polhode.figures"
 FILE_NAME = re.compile(r"(?!(con|prn|aux|nul)$)[a-z]+(_[a-z0-9]+)*")  # a file on every system, Windows and macOS too
 _RULE = ("is ignored, as its name must be KIND.FIGURE, where FIGURE is words in small letters joined by _, like "
-         "free-body.spin_rate. Rename or remove it.")
+         "gyrostat.spin_rate. Rename or remove it.")
 
 
 def figures_of(kind: AbstractKind) -> Figures:

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import sys
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass
 from enum import Enum
 from typing import Any
-
-from polhode.errors import shown
 
 
 class Stepping(Enum):
@@ -70,31 +67,3 @@ class MotionPlan:
         if self.otherwise is not None:
             entries["otherwise"] = self.otherwise.as_json_dict()
         return {name: value for name, value in entries.items() if value not in (None, "")}
-
-    @classmethod
-    def from_json_dict(cls, entries: Any) -> MotionPlan:
-        """Return the plan that ``as_json_dict`` gave.
-
-        Raises:
-            ValueError: for anything else, naming what is wrong.
-        """
-        if not isinstance(entries, dict) or not {"stepping", "method"} <= entries.keys():
-            raise ValueError("it must have `stepping` and `method`")
-        if unknown := entries.keys() - {field.name for field in fields(cls)}:
-            raise ValueError(f"a plan has no {', '.join(sorted(map(str, unknown)))}")
-        for name, value in entries.items():
-            if name != "otherwise" and not _is_one(name, value):
-                raise ValueError(f"`{name}` cannot be {shown(value)}")
-        rest = {name: value for name, value in entries.items() if name not in ("stepping", "otherwise")}
-        nested = entries.get("otherwise")
-        return cls(Stepping(entries["stepping"]), **rest, otherwise=None if nested is None else
-                   cls.from_json_dict(nested))
-
-
-def _is_one(name: str, value: Any) -> bool:
-    """Whether a value of JSON may be that of a field."""
-    if name in ("order", "copies"):
-        return isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 2**63
-    if name in ("step", "tolerance"):
-        return isinstance(value, float | int) and not isinstance(value, bool) and 0.0 < value <= sys.float_info.max
-    return isinstance(value, str)
