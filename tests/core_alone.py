@@ -1,6 +1,7 @@
 """What polhode does by its required libraries alone, and what it says where others are needed.
 
-``python tests/core_alone.py`` is for a Python that has no others, as in CI; ``--hide`` hides them from any Python.
+``python tests/core_alone.py`` is for a Python that has no others, as in CI; ``--hide`` hides them from any Python,
+and ``--hide-one matplotlib`` one alone.
 """
 
 import contextlib
@@ -8,6 +9,7 @@ import io
 import re
 import sys
 from importlib import import_module, metadata
+from pathlib import Path
 
 import numpy as np
 
@@ -25,8 +27,11 @@ CORNERS, FACES = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]]), [[0, 
 class Hidden:
     """Finder of what is not to be found."""
 
+    def __init__(self, modules=(*LIBRARIES, *FASTER)):
+        self.modules = modules
+
     def find_spec(self, name, path=None, target=None):
-        if name.partition(".")[0] in {*LIBRARIES, *FASTER}:
+        if name.partition(".")[0] in self.modules:
             raise ModuleNotFoundError(f"No module named {name!r}", name=name)
 
 
@@ -87,6 +92,16 @@ DOORS = {
            lambda: main(["report", "case.toml"]), lambda: main(["--help"])),
 }  # fmt: skip
 """What must be refused, by the library that the refusal names first."""
+LOG = Path(__file__).parents[1] / "examples" / "phone_throw.csv"
+DOORS_OF_ONE = {
+    "matplotlib": (lambda: body_in_motion().plot(), lambda: body_in_motion().sample((0.0, 1.0)).plot(),
+                   lambda: ph.report(LOG.with_name("top.toml")).plot(),
+                   lambda: ph.report(LOG.with_name("top.toml")).figure("axis_path"),
+                   lambda: ph.report(LOG.with_name("top.toml")).draw(".")),
+    "scipy": (lambda: ph.fit(LOG),),
+    "pydantic": (lambda: ph.fit(LOG),),
+}  # fmt: skip
+"""What must be refused where one library alone is missing."""
 EXTRA = {"JAX": "jax", "python-flint": "jax", ".*": "app"}
 
 
@@ -105,9 +120,9 @@ def refusal(call):
     raise AssertionError("it is not refused")
 
 
-def check_doors(strict):
+def check_doors(strict, doors=DOORS):
     """Each is refused by one sentence that names the library, and the extra unless polhode itself is not installed."""
-    for library, calls in DOORS.items():
+    for library, calls in doors.items():
         for call in calls:
             said = refusal(call)
             remedy = r'which is not installed\. Run `.+ -m pip install "(.+)"`\.'
@@ -136,6 +151,15 @@ def run(hide):
     assert not others, f"loaded besides: {sorted(others)}"
 
 
+def run_without(module):
+    """Hide one library alone."""
+    sys.meta_path.insert(0, Hidden((module,)))
+    check_doors(False, {LIBRARIES[module].name: DOORS_OF_ONE[module]})
+
+
 if __name__ == "__main__":
+    if "--hide-one" in sys.argv:
+        run_without(sys.argv[-1])
+        sys.exit()
     run("--hide" in sys.argv)
     print("the core works by itself")

@@ -12,21 +12,38 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 
 import polhode as ph
 from polhode._base.compiled import kernel_modules
 from polhode._base.extras import LIBRARIES, named, not_installed
+from polhode.analysis.twist import racket_twist
 from polhode.errors import InvalidInput
 from polhode.formats.dataset import write_zarr
 from polhode.formats.dataset_reading import read_dataset
+from polhode.formats.mesh import read_mesh
+from polhode.formats.scipy_rotation import as_rotation_spline
 from polhode.proving.symbolic import _gate
 from polhode.spacecraft.formats.spice_kernels import spiceypy
+from polhode.spectra.formats.rotor_dataset import spectrum_dataset
 from polhode.sweeps.command import SweepOptions, run_sweep
 from polhode.sweeps.running import Sweep
 
 WAYS = {
     "zarr, written": ("zarr.storage", lambda path: write_zarr(motion(), path / "new.zarr")),
     "zarr, read": ("zarr", lambda path: read_dataset(path / "old.zarr")),
+    "xarray": ("xarray", lambda path: ph.as_dataset(motion())),
+    "xarray, for stores": ("xarray", lambda path: motion().save(path / "new.zarr")),
+    "xarray, for spectra": ("xarray", lambda path: spectrum_dataset(lines=())),
+    "xarray, read": ("xarray", lambda path: read_dataset(path / "old.nc")),
+    "h5netcdf": ("h5netcdf", lambda path: motion().save(path / "new.nc")),
+    "h5py": ("h5py", lambda path: motion().save(path / "new.nc")),
+    "h5netcdf, read": ("h5netcdf", lambda path: read_dataset(path / "old.nc")),
+    "trimesh": ("trimesh", lambda path: read_mesh(path / "old.ply", unit=1.0)),
+    "SciPy, for repairs": ("scipy.spatial", lambda path: read_mesh(path / "old.stl", unit=1.0, repair=True)),
+    "SciPy, for splines": ("scipy.spatial.transform", lambda path: as_rotation_spline(motion())),
+    "SciPy, for twists": ("scipy.optimize", lambda path: racket_twist(
+        ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.1, 1.0, 0.1)))),
     "spiceypy": ("spiceypy", lambda path: spiceypy()),
     "python-flint, for proofs": ("flint", lambda path: ph.certify(
         ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), (0.1, 1.0, 0.1), (0.0, 1.0))),
@@ -59,14 +76,17 @@ def motion():
 @pytest.mark.parametrize("name", WAYS)
 def test_the_library_is_named(name, tmp_path, monkeypatch):
     module, call = WAYS[name]
-    write_zarr(motion(), tmp_path / "old.zarr")
+    for ending in ("zarr", "nc"):
+        motion().save(tmp_path / f"old.{ending}")
+    for ending in ("ply", "stl"):
+        trimesh.creation.box().export(tmp_path / f"old.{ending}")
     monkeypatch.setitem(sys.modules, module, None)
     library = name.split(",")[0]
     remedy = rf'"(polhode\[{LIBRARIES[module.partition(".")[0]].extra}\]|(?i:{library})>=.*)"'
-    said = rf"need {library}, which is not installed\. Run `{PYTHON} -m pip install {remedy}`\."
+    said = rf"needs? {library}, which is not installed\. Run `{PYTHON} -m pip install {remedy}`\."
     with pytest.raises(InvalidInput, match=said):
         call(tmp_path)
-    assert not (tmp_path / "new.zarr").exists()
+    assert not list(tmp_path.glob("new*"))
 
 
 def test_a_sweep_without_zarr_is_refused_before_samples_are_tried(tmp_path, monkeypatch):
@@ -125,6 +145,14 @@ def test_each_library_is_brought_by_the_extra_that_is_named():
 @pytest.mark.long
 def test_the_core_needs_no_other_library():
     done = subprocess.run([sys.executable, ROOT / "tests" / "core_alone.py", "--hide"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("module", ["matplotlib", "scipy", "pydantic"])
+def test_one_library_that_is_missing_is_named(module):
+    command = [sys.executable, ROOT / "tests" / "core_alone.py", "--hide-one", module]
+    done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
 
 

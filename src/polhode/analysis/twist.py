@@ -15,6 +15,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode._base.arrays import known_numbers_only
+from polhode._base.extras import needing
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.exact.free_body import FreeMotion
 from polhode.motion._inputs import finite
@@ -130,7 +131,8 @@ def _one_turn(rates: Callable[[Array], np.ndarray], edges: np.ndarray, period: f
     left = edges[n]
     gained = parts[:, :n].sum(axis=1)
 
-    from scipy.optimize import brentq
+    with needing("The twist needs", alone=True):
+        from scipy.optimize import brentq
 
     def rest(t: float) -> float:
         return float(gained[0] + _gauss(rates, np.array([left]), np.array([t]))[0, 0] - wanted)

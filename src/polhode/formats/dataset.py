@@ -45,7 +45,8 @@ def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None)
     Raises:
         InvalidInput: for what is not a trajectory.
     """
-    import xarray as xr
+    with needing("Datasets need"):
+        import xarray as xr
 
     if not isinstance(trajectory, Trajectory):
         raise InvalidInput(f"`trajectory` must be a Trajectory, as `simulate` gives it; got {shown(trajectory)}.")
@@ -206,8 +207,9 @@ def write_variables(path: str | Path, variables: Named, coordinates: Named, head
     Raises:
         InvalidInput: if the file cannot be written there.
     """
-    import h5netcdf
-    import h5py
+    with needing("NetCDF files need"):
+        import h5netcdf
+        import h5py
 
     path = as_path("path", path)
     # HDF5 would try again to write what a full disk refused, and crash as Python ends: it gets memory, not the disk

@@ -154,7 +154,8 @@ def _of_copies(variable: Any) -> bool:
 
 
 def _load(path: Path) -> xarray.Dataset:
-    import xarray as xr
+    with needing("Datasets need"):
+        import xarray as xr
 
     if not is_folder(path):
         check_is_file(path, "NetCDF", LARGEST_FILE)
@@ -166,6 +167,8 @@ def _load(path: Path) -> xarray.Dataset:
             warnings.simplefilter("ignore")  # what is wrong is said below, in one message
             if store:
                 return _load_store(path)
+            with needing("NetCDF files need"):  # xarray does not say so of its engine
+                import h5netcdf  # noqa: F401
             check_hdf5(path)
             return xr.load_dataset(path, engine="h5netcdf", decode_times=False)
     except InvalidInput:

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode._base.extras import needing
 from polhode.bodies._mesh import mass_properties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
@@ -144,7 +145,8 @@ def _load(path: Path, content: bytes, unit: float | None) -> tuple[Array, Array,
         from polhode.formats.mesh_checks import check_content
 
         content = check_content(path, ending, content)
-    trimesh = _trimesh()
+    with needing(f"{ending.upper()} files need", "Or convert it to STL."):
+        trimesh = _trimesh()
     try:
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")
@@ -175,9 +177,10 @@ def _merge(vertices: Array, faces: Array) -> tuple[Array, Array]:
 
 def _merge_nearby(vertices: Array, faces: Array) -> tuple[Array, Array]:
     """Merge corners in chains of near neighbours; rounding to a grid instead would split some of them."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-    from scipy.spatial import KDTree
+    with needing("Repairs of meshes need", alone=True):
+        from scipy.sparse import coo_array
+        from scipy.sparse.csgraph import connected_components
+        from scipy.spatial import KDTree
 
     tree, distance = KDTree(vertices), LIMITS.corner_distance * np.ptp(vertices, axis=0).max()
     if tree.count_neighbors(tree, distance) > LIMITS.max_neighbours * len(vertices):

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from polhode import rotation
+from polhode._base.extras import needing
 from polhode.errors import InvalidInput
 from polhode.formats.attitude_checks import single_attitude
 from polhode.motion._trajectory import Trajectory
@@ -44,7 +45,8 @@ def as_rotation_spline(trajectory: Trajectory) -> RotationSpline:
     Raises:
         InvalidInput: as ``as_rotation``, and for times that do not ascend.
     """
-    from scipy.spatial.transform import RotationSpline
+    with needing("Rotations of SciPy need", alone=True):
+        from scipy.spatial.transform import RotationSpline
 
     turns, times = as_rotation(trajectory), np.asarray(trajectory.times)
     ascending = np.diff(times) > 0

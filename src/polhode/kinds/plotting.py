@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from polhode._base.extras import needing
 from polhode.errors import InvalidInput, shown
 from polhode.kinds.registry import kind_of_source
 from polhode.motion._trajectory import Trajectory
@@ -30,8 +31,9 @@ def plot(motion: AbstractMotion | Trajectory | Report) -> Figure:
     >>> [axes.get_title() for axes in plot(FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5))).axes][0]
     'Momentum sphere, body axes'
     """
-    from polhode.figures import style
-    from polhode.figures.parts_figure import parts
+    with needing("Plots need"):
+        from polhode.figures import style
+        from polhode.figures.parts_figure import parts
 
     if isinstance(motion, Report):
         first = next((figure for draw in motion.figures().values() if (figure := draw()) is not None), None)

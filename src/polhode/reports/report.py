@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
+from polhode._base.extras import needing
 from polhode.errors import InvalidInput, printable, shown
 from polhode.formats.figure_file import save_figure
 from polhode.formats.opening import record_files
@@ -135,18 +136,25 @@ class Report(abc.ABC):
         Raises:
             InvalidInput: for a name that this report has no figure of.
         """
-        figures = self.figures()
-        if name not in figures:
-            where = f"in a report of kind {self.kind}; got {shown(name)}"
-            if not figures:
-                raise InvalidInput(f"there are no figures {where}.")
-            raise InvalidInput(f"`name` must be one of {', '.join(figures)}, the figures {where}.")
-        return figures[name]()
+        with needing("Figures need"):
+            figures = self.figures()
+            if name in figures:
+                return figures[name]()
+        where = f"in a report of kind {self.kind}; got {shown(name)}"
+        if not figures:
+            raise InvalidInput(f"there are no figures {where}.")
+        raise InvalidInput(f"`name` must be one of {', '.join(figures)}, the figures {where}.")
 
     def plot(self) -> dict[str, Figure]:
         """Return the figures by name, as Matplotlib has them."""
-        drawn = ((name, draw()) for name, draw in self.figures().items())
-        return {name: figure for name, figure in drawn if figure is not None}
+        return dict(self._draw_each())
+
+    def _draw_each(self) -> Iterator[tuple[str, Figure]]:
+        """Yield the figures with their names, one at a time for the memory."""
+        with needing("Figures need"):
+            for name, draw in self.figures().items():
+                if (figure := draw()) is not None:
+                    yield name, figure
 
     def show(self, *, name: str | None = None, surface: Surface | None = None, height: int = 760) -> NotebookPage:
         """Return the page of the report's motion for a notebook to show, as ``polhode.show`` does.
@@ -170,9 +178,8 @@ class Report(abc.ABC):
             folder: of the figures.
             forms: png, svg, pdf, each figure in all of them; png if none is named.
         """
-        drawn = ((name, draw()) for name, draw in self.figures().items())  # one at a time, for the memory
         return [save_figure(figure, Path(folder) / f"{name}.{form}")
-                for name, figure in drawn if figure is not None for form in forms or ("png",)]
+                for name, figure in self._draw_each() for form in forms or ("png",)]
 
     def write(self, folder: str | Path, *forms: str) -> list[Path]:
         """Write the figures and the data into a folder, all or none of them, and return their paths.

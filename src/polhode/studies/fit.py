@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from polhode._base.extras import needing
 from polhode.errors import InvalidInput, shown
 from polhode.formats.paths import as_path
 from polhode.reports.report import with_inputs
@@ -78,5 +79,6 @@ def fit_files(
     if not files:
         raise InvalidInput("`files` is empty. Name a log, or a spec and its measured lines.")
     # one of these, or that of another package
-    report: Any = fit_request(FitRequest(files, free, options, progress, pendulum))
+    with needing("Fits need"):  # branches import what fits their files
+        report: Any = fit_request(FitRequest(files, free, options, progress, pendulum))
     return report

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from polhode._base.extras import needing
 from polhode.errors import InvalidInput
 from polhode.formats.dataset import write_variables
 from polhode.spectra import Levels, Lines, Rotor
@@ -54,7 +55,8 @@ def spectrum_dataset(
     >>> dataset.energy.units, dataset.energy.values.tolist()
     ('Hz', [0.0, 23000000000.0, 36000000000.0, 41000000000.0])
     """
-    import xarray as xr
+    with needing("Datasets need"):
+        import xarray as xr
 
     return xr.Dataset(*_describe(levels, lines, attributes))
 
