@@ -4,6 +4,7 @@ import contextlib
 import io
 import json
 import pickle
+import sys
 from importlib.metadata import EntryPoint
 
 import pytest
@@ -23,6 +24,8 @@ OWN = ["momentum_sphere", "inertia_ellipsoid", "components", "herpolhode"]
 def anew(plugin, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "box.toml").write_text(SPEC)
+    (tmp_path / "leaves_at_once.py").write_text("import sys\nsys.exit(4)\n")
+    monkeypatch.syspath_prepend(tmp_path)
 
 
 def run(capsys, *arguments):
@@ -62,6 +65,10 @@ def fail(report):
     raise ZeroDivisionError("x")
 
 
+def leave(report):
+    sys.exit(3)
+
+
 def give_text(report):
     return "a picture"
 
@@ -88,6 +95,8 @@ def whole(plugin, tmp_path_factory):
 
 @pytest.mark.parametrize(("name", "value", "words"), [
     ("free-body.bad", f"{__name__}:fail", "is left out: it fails (ZeroDivisionError: x). Update or remove it."),
+    ("free-body.bad", f"{__name__}:leave", "is left out: it fails (SystemExit: 3). Update or remove it."),
+    ("free-body.bad", "leaves_at_once:draw", "cannot be imported: it calls sys.exit with 4. Update or remove it. Its"),
     ("free-body.bad", f"{__name__}:give_text", "it must return a figure of Matplotlib or None; got 'a picture'"),
     ("free-body.bad", f"{__name__}:give_bad_formula", "is left out: it fails (ValueError: "),
     ("free-body.bad", "nowhere:draw", "cannot be imported: No module named 'nowhere'. Update or remove it. Its figure"),

@@ -1,6 +1,7 @@
 """Branches of ``fit`` that wings and other packages bring."""
 
 import json
+import sys
 
 import pytest
 
@@ -54,6 +55,11 @@ def fail(request):
     raise ZeroDivisionError("x")
 
 
+def leave(request):
+    sys.exit(0)
+
+
+LEAVING = branches.FitBranch(leave, fail)
 GREEDY = branches.FitBranch(lambda request: True, fail)
 EMPTY = branches.FitBranch(lambda request: True, lambda request: None)
 
@@ -62,6 +68,7 @@ EMPTY = branches.FitBranch(lambda request: True, lambda request: None)
     ("math:pi", "the fit odd of another package, math:pi, is not a FitBranch that knows its files"),
     ("nowhere:FIT", "the fit odd of another package, nowhere:FIT, cannot be imported"),
     ("polhode.measuring.throws.branch:FIT", "is not a FitBranch that knows its files"),
+    (f"{__name__}:LEAVING", r"the fit odd of another package fails \(SystemExit: 0\)"),
     (f"{__name__}:EMPTY", "the fit odd of another package gives None, not a StudyReport"),
 ])  # fmt: skip
 def test_one_that_is_none_is_named(add_entry_points, value, words):

@@ -49,6 +49,25 @@ def fail(report, path):
     raise ZeroDivisionError("x")
 
 
+def leave(report, path):
+    """Leave."""
+    sys.exit(0)
+
+
+def give_number(report, path):
+    """Give no lists."""
+    return 3, 4
+
+
+@pytest.mark.parametrize(("function", "why"), [
+    (leave, "SystemExit: 0"), (give_number, "TypeError: 'int' object is not iterable"),
+])  # fmt: skip
+def test_one_that_leaves_or_gives_no_lists_is_named(capsys, add_entry_points, function, why):
+    add_entry_points(report_options.GROUP, ("bad", f"{__name__}:{function.__name__}"))
+    code, out, err = run(capsys, "report", "box.toml", "--bad", "a")
+    assert code == 2 and not out and f"the option of report bad of another package fails ({why})" in err
+
+
 def test_one_that_fails_is_named(capsys, add_entry_points):
     add_entry_points(report_options.GROUP, ("bad", f"{__name__}:fail"), ("gone", "nowhere:write"), ("json", "math:pi"))
     code, out, err = run(capsys, "report", "--help")

@@ -2,6 +2,7 @@
 
 import dataclasses
 import re
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -130,6 +131,10 @@ def half_written(content, path):
     raise Odd("out of ideas")
 
 
+def leave(content, path):
+    sys.exit(0)
+
+
 def readers():
     """Yield readers of a package that is broken, and what is said of each."""
     def raising(error):
@@ -139,11 +144,12 @@ def readers():
 
     yield raising(Odd("out of ideas")), r"bad\.qlog: cannot be read as the format qlog of another package \(Odd: out of"
     yield raising(RuntimeError("out of ideas")), r"bad\.qlog: cannot be read as the format qlog .* \(RuntimeError: out"
+    yield raising(SystemExit(0)), r"bad\.qlog: cannot be read as the format qlog .* \(SystemExit: 0\)"
     yield raising(FormatError("has no samples; a QLOG needs two.")), r"bad\.qlog: has no samples; a QLOG needs two"
     yield lambda path, kernels: None, r"bad\.qlog: the format qlog of another package gives None, not a Trajectory"
 
 
-@pytest.mark.parametrize(("read", "words"), list(readers()), ids=["own error", "runtime", "format", "none"])
+@pytest.mark.parametrize(("read", "words"), list(readers()), ids=["own error", "runtime", "exit", "format", "none"])
 def test_readers_that_fail_in_any_way_are_told_in_words(folder, capsys, monkeypatch, read, words):
     broken = dataclasses.replace(form_registry.forms()["qlog"], read=read)
     monkeypatch.setitem(form_registry._others(), "qlog", broken)
@@ -152,7 +158,21 @@ def test_readers_that_fail_in_any_way_are_told_in_words(folder, capsys, monkeypa
     assert code == 2 and not out and re.search(words, err) and err.count("\n") == 1
 
 
+@pytest.mark.parametrize("error", [Odd("out of ideas"), SystemExit(0)], ids=["own", "exit"])
+def test_one_that_fails_to_tell_whether_a_file_is_its_own_is_named(folder, capsys, monkeypatch, error):
+    def begins(head):
+        raise error
+
+    broken = dataclasses.replace(form_registry.forms()["qlog"], begins=begins)
+    monkeypatch.setitem(form_registry._others(), "qlog", broken)
+    (folder / "zeros.bin").write_bytes(bytes(100))
+    code, out, err = run(capsys, "import", "zeros.bin")
+    words = f"the format qlog of another package fails ({type(error).__name__}: {error}). Update or remove it."
+    assert code == 2 and not out and words in err and err.count("\n") == 1
+
+
 @pytest.mark.parametrize(("write", "words"), [
+    (leave, "box.qlog: the format qlog of another package cannot write it (SystemExit: 0)"),
     (half_written, "box.qlog: the format qlog of another package cannot write it (Odd: out of ideas)"),
     (lambda content, path: path, "box.qlog: the format qlog of another package wrote nothing"),
 ])  # fmt: skip

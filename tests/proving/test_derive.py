@@ -7,6 +7,7 @@ import pytest
 
 from polhode.cli.main import main
 from polhode.proving.symbolic import registry
+from polhode.proving.symbolic.derivation import DerivationBroken
 from polhode.proving.symbolic.registry import derivation_names
 from registered import forget_entry_points
 
@@ -68,7 +69,22 @@ def test_without_sympy_the_command_says_what_to_install(capsys, monkeypatch):
     assert code == 2 and not out and "need SymPy, which is not installed. Run `" in err
 
 
+def fail():
+    raise ZeroDivisionError("x")
+
+
+def leave():
+    sys.exit(0)
+
+
+def break_off():
+    raise DerivationBroken("step 1 does not hold")
+
+
 @pytest.mark.parametrize(("value", "words"), [
+    (f"{__name__}:fail", "fails (ZeroDivisionError: x). Update or remove it."),
+    (f"{__name__}:leave", "fails (SystemExit: 0). Update or remove it."),
+    ("math:sin", "fails (TypeError: math.sin() takes exactly one argument"),
     ("math:pi", "must be a function that returns a Page; got 3.14159"), ("math:hypot", "that returns a Page; got 0.0"),
     ("nowhere:derive", "cannot be imported: No module named 'nowhere'. Update or remove it."),
 ])  # fmt: skip
@@ -78,6 +94,12 @@ def test_one_of_others_that_is_none_is_named(add_entry_points, capsys, value, wo
     assert code == 2 and not out and f"the derivation odd of another package, {value}" in err and words in err
     code, out, _ = run(["derive"], capsys)  # the list is whole
     assert code == 0 and "clebsch " in out and "\nodd" in out
+
+
+def test_the_errors_of_polhode_in_one_of_others_stay(add_entry_points):
+    add_entry_points(registry.GROUP, ("odd", f"{__name__}:break_off"))
+    with pytest.raises(DerivationBroken, match=r"^step 1 does not hold$"):
+        registry.derive("odd")
 
 
 def test_a_name_that_polhode_has_is_its_own(add_entry_points):

@@ -1,6 +1,7 @@
 """Files that hold a body, of formats that wings and other packages bring by the keys of [body]."""
 
 import pickle
+import sys
 
 import numpy as np
 import pytest
@@ -69,6 +70,19 @@ def test_whatever_its_reader_raises_names_the_file(read, tmp_path, text, words):
     (tmp_path / "spec.toml").write_text(SPEC)
     with pytest.raises(FormatError, match=words):
         read_spec(tmp_path / "spec.toml")
+
+
+def leave(path, link, digits):
+    sys.exit(0)
+
+
+LEAVING = body_files.BodyFile(leave)
+
+
+def test_one_whose_reader_leaves_is_named(read, add_entry_points):
+    add_entry_points(body_files.GROUP, ("odd", f"{__name__}:LEAVING"))
+    with pytest.raises(FormatError, match=r"format of bodies odd of another package cannot read it \(SystemExit: 0\)"):
+        read('[body]\nodd = "four.txt"\n')
 
 
 def test_one_that_is_none_is_named(read, add_entry_points):

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from polhode._base.plugins import find_entry_points, load_entry_point, record_nothing
+from polhode._base.plugins import FAILURES, find_entry_points, load_entry_point, record_nothing
 from polhode._base.plugins.wings import wing_details, wing_points
 from polhode.cli.arguments import StrictCommand
 from polhode.errors import InvalidInput, PolhodeError, one_line
@@ -108,11 +108,11 @@ def write_more(report: Report) -> Iterator[tuple[Sequence[str], Sequence[str]]]:
             continue
         write: WriteMore = load_entry_point(find_entry_points(GROUP, wing_points(GROUP))[name])
         try:
-            files, notes = write(report, path)
+            files, notes = ([str(each) for each in some] for some in write(report, path))
         except PolhodeError:
             raise
-        except Exception as error:  # whatever another package may do
+        except FAILURES as error:
             what = f"{type(error).__name__}: {one_line(str(error))}"
             raise InvalidInput(f"--{name}: the option of report {name} of another package fails ({what}). Update or "
                                "remove it.") from error
-        yield [str(file) for file in files], [str(note) for note in notes]
+        yield files, notes

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from polhode._base.plugins import FAILURES
 from polhode.errors import InvalidInput, PolhodeError, one_line
 from polhode.formats.paths import write_whole
 
@@ -123,7 +124,7 @@ class Form:
                 self.write(content, draft)
             except (PolhodeError, OSError):
                 raise
-            except Exception as error:
+            except FAILURES as error:
                 what = f"{type(error).__name__}: {one_line(str(error))}"
                 raise InvalidInput(f"{path}: the format {self.name} of another package cannot write it ({what}). "
                                    "Update the package.") from error

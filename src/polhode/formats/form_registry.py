@@ -15,9 +15,9 @@ from importlib.metadata import EntryPoint
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from polhode._base.plugins import find_entry_points, load_entry_point
+from polhode._base.plugins import FAILURES, find_entry_points, load_entry_point
 from polhode._base.plugins.wings import wing_details, wing_points
-from polhode.errors import InvalidInput
+from polhode.errors import InvalidInput, PolhodeError, one_line
 from polhode.formats.form import Form
 
 GROUP = "polhode.formats"
@@ -114,14 +114,25 @@ def forms_that_end(ending: str) -> list[Form]:
 def form_that_is_named(path: Path) -> Form | None:
     """Return the form of a file whose content does not show it, by its name; None for none of them."""
     asked = _asked(lambda row: any(fnmatch(path.name, pattern) for pattern in row.get("names", ())))
-    return next((form for form in asked if form.named is not None and form.named(path)), None)
+    return next((form for form in asked if form.named is not None and _says(form, form.named, path)), None)
 
 
 def form_that_begins(head: bytes) -> Form | None:
     """Return the form of a file by the bytes that it begins with; None for none of them."""
     small = head.lower()
     asked = _asked(lambda row: any(text.lower().encode() in small for text in row.get("heads", ())))
-    return next((form for form in asked if form.begins is not None and form.begins(head)), None)
+    return next((form for form in asked if form.begins is not None and _says(form, form.begins, head)), None)
+
+
+def _says(form: Form, test: Callable[[Any], bool], begin: Any) -> bool:
+    """Return what a form says of a file; the test of another package may raise anything."""
+    try:
+        return test(begin)
+    except FAILURES as error:
+        if form.is_ours or isinstance(error, PolhodeError):
+            raise
+        what = f"{type(error).__name__}: {one_line(str(error))}"
+        raise InvalidInput(f"the format {form.name} of another package fails ({what}). Update or remove it.") from error
 
 
 def _asked(fits: Callable[[dict[str, Any]], bool]) -> Iterator[Form]:

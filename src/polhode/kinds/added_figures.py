@@ -11,7 +11,7 @@ import warnings
 from functools import cache, partial
 from typing import TYPE_CHECKING, Any
 
-from polhode._base.plugins import find_entry_points, load_entry_point
+from polhode._base.plugins import FAILURES, find_entry_points, load_entry_point
 from polhode._base.plugins.wings import wing_points
 from polhode.errors import InvalidInput, one_line, shown
 
@@ -88,7 +88,7 @@ def _draw(point: Any, report: Any) -> Figure | None:
             figure.draw_without_rendering()  # some mistakes, like those in formulas, show only as it is saved
             return figure
         what = f"it must return a figure of Matplotlib or None; got {shown(figure)}"
-    except Exception as error:  # whatever another package may do
+    except FAILURES as error:
         what = f"it fails ({type(error).__name__}: {one_line(str(error))})"
     _warn(point, f"is left out: {what}. Update or remove it.")
     return None

@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from polhode._base.plugins import find_entry_points, load_entry_point
+from polhode._base.plugins import FAILURES, find_entry_points, load_entry_point
 from polhode._base.plugins.wings import wing_points
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, PolhodeError, one_line, shown
@@ -54,7 +54,7 @@ def read_body_file(key: str, path: Path, link: str | None, joints: Pose | None, 
         body = _read(file, path, link, joints, digits)
     except PolhodeError:
         raise
-    except Exception as error:  # whatever another package may do
+    except FAILURES as error:
         what = f"{type(error).__name__}: {one_line(str(error))}"
         raise FormatError(f"{path}: {of_others} cannot read it ({what}). Check the file, or update the package.") \
             from error

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode._base.plugins import find_entry_points, load_entry_point
+from polhode._base.plugins import FAILURES, find_entry_points, load_entry_point
 from polhode._base.plugins.wings import wing_points
 from polhode.errors import InvalidInput, PolhodeError, one_line, shown
 from polhode.reports.report import StudyReport
@@ -114,7 +114,7 @@ def _ask_others(name: str, point: Any, request: FitRequest) -> StudyReport | Non
         report = branch.fit(request) if knows else None
     except PolhodeError:
         raise
-    except Exception as error:  # whatever another package may do
+    except FAILURES as error:
         what = f"{type(error).__name__}: {one_line(str(error))}"
         raise InvalidInput(f"{request.files[0]}: {of_others} fails ({what}). Update or remove it.") from error
     if not (isinstance(report, StudyReport) or (report is None and not knows)):

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode._base.plugins import FAILURES
 from polhode.analysis._mechanics import Mechanics
 from polhode.analysis.attitude_history import AttitudeHistory
 from polhode.errors import FormatError, InvalidInput, PolhodeError, one_line, shown
@@ -194,7 +195,7 @@ def _read_form(form: Form, path: Path, kernels: Kernels) -> Trajectory:
         FormatError: for what cannot be read, holds nothing, or is no attitude.
     """
     assert form.read is not None
-    unexpected = (ValueError, IndexError, KeyError, TypeError, ArithmeticError) if form.is_ours else Exception
+    unexpected = (ValueError, IndexError, KeyError, TypeError, ArithmeticError) if form.is_ours else FAILURES
     try:
         with contextlib.nullcontext() if form.is_ours else name_file_in_errors(path):
             trajectory = form.read(path, kernels)

@@ -23,6 +23,8 @@ GROUPS = {
     "polhode.derivations": "derivation",
 }  # fmt: skip
 """The groups of entry points, and the word for one of each in messages."""
+FAILURES = (Exception, SystemExit)
+"""What code of other packages may raise that polhode catches: their ``sys.exit`` is to end no command of polhode."""
 _KNOWN = frozenset({"polhode", *(name.replace("-", "_") for name in COMPUTED_BY)})  # counted with the program itself
 
 
@@ -80,8 +82,9 @@ def load_entry_point(point: Any) -> Any:
         _loaded[plugin] = _digest(point)
     try:
         return point.load()
-    except Exception as error:  # whatever another package may do
-        raise InvalidInput(f"{plugin}, cannot be imported: {error}. Update or remove it.") from error
+    except FAILURES as error:
+        why = f"{'it calls sys.exit with ' if isinstance(error, SystemExit) else ''}{error}"
+        raise InvalidInput(f"{plugin}, cannot be imported: {why}. Update or remove it.") from error
 
 
 @contextlib.contextmanager

@@ -14,8 +14,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from polhode._base.plugins import find_entry_points, load_entry_point
-from polhode.errors import InvalidInput, shown
+from polhode._base.plugins import FAILURES, find_entry_points, load_entry_point
+from polhode.errors import InvalidInput, PolhodeError, one_line, shown
 from polhode.proving.symbolic.rendering import Page
 
 HOME = Path(__file__).parent / "derivations"
@@ -44,7 +44,7 @@ def derive(name: str) -> Page:
         name: such as "clebsch"; ``derivation_names`` lists them.
 
     Raises:
-        InvalidInput: for an unknown name, and where another package does not return a page.
+        InvalidInput: for an unknown name, and where the function of another package fails or does not return a page.
         DerivationBroken: if a step does not hold, by symbols or against the numerical system.
 
     >>> derive("clebsch").title
@@ -58,7 +58,14 @@ def derive(name: str) -> Page:
         raise InvalidInput(f"a derivation must be one of {', '.join(derivation_names())}; got {shown(name)}. {hint}")
     point = _others()[name]
     function = load_entry_point(point)
-    page = function() if callable(function) else function
+    try:
+        page = function() if callable(function) else function
+    except PolhodeError:  # such as DerivationBroken
+        raise
+    except FAILURES as error:
+        what = f"{type(error).__name__}: {one_line(str(error))}"
+        raise InvalidInput(f"the derivation {name} of another package, {point.value}, fails ({what}). Update or "
+                           "remove it.") from error
     if not isinstance(page, Page):
         raise InvalidInput(f"the derivation {name} of another package, {point.value}, must be a function that returns "
                            f"a Page; got {shown(page)}. Update or remove it.")
