@@ -39,3 +39,4 @@ def forget_entry_points():
         room._others.cache_clear()
     added_figures.added_figures.cache_clear()
     plugins._loaded.clear()
+    plugins._warned.clear()

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from polhode._base.plugins import find_entry_points
 from polhode.cli.main import main
 from polhode.proving.symbolic import registry
 from polhode.proving.symbolic.derivation import DerivationBroken
@@ -115,3 +116,32 @@ def test_one_of_another_package_is_derived(capsys, monkeypatch):
     code, out, _ = run(["derive", "symmetric-body"], capsys)
     assert code == 0 and out.startswith("The symmetric body\n") and "L₃" in out
     assert "symmetric-body    A body with two equal moments" in run(["derive"], capsys)[1]
+
+
+@pytest.fixture
+def two_packages(tmp_path, monkeypatch):
+    """Let packages b and a bring one derivation, and return what puts the folder of either first on the path."""
+    for name in "ba":
+        info = tmp_path / name / f"{name}_package-1.0.dist-info"
+        info.mkdir(parents=True)
+        (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}-package\nVersion: 1.0\n")
+        (info / "entry_points.txt").write_text(f"[{registry.GROUP}]\nodd = {name}_module:derive\n")
+
+    def put(order):
+        for name in reversed(order):
+            monkeypatch.syspath_prepend(tmp_path / name)
+        forget_entry_points()
+
+    yield put
+    forget_entry_points()
+
+
+@pytest.mark.parametrize("order", ["ab", "ba"])
+def test_of_two_packages_with_one_name_the_first_by_the_alphabet_is_taken(two_packages, order):
+    two_packages(order)
+    words = (r"^two packages bring the derivation odd: a_module:derive of a-package, which is taken, and "
+             r"b_module:derive of b-package, which is ignored\. Rename or remove one\.$")  # fmt: skip
+    with pytest.warns(UserWarning, match=words) as said:
+        for _ in range(2):
+            assert find_entry_points(registry.GROUP, ())["odd"].value == "a_module:derive"
+    assert len(said) == 1

@@ -51,19 +51,25 @@ class Plugin(NamedTuple):
 
 
 _recordings: ContextVar[tuple[set[Plugin], ...]] = ContextVar("recordings", default=())
+_warned: set[tuple[Plugin, Plugin]] = set()
 _loaded: dict[Plugin, str] = {}  # with the digest of the code that this process imported
 
 
 def find_entry_points(group: str, own: Collection[str]) -> dict[str, Any]:
     """Return the entry points of a group by name, but those that have the name of something of polhode's own.
 
-    Where ``importlib_metadata`` has been imported, they are of its class.
+    Of several packages that bring one name, the first by the alphabet is taken, whatever the order on the path. Where
+    ``importlib_metadata`` has been imported, they are of its class.
 
     Args:
         group: of ``GROUPS``.
         own: names that are taken, which a warning tells.
     """
-    found = {point.name: point for point in entry_points(group=group)}
+    found: dict[str, Any] = {}
+    for point in sorted(entry_points(group=group), key=_rank):
+        first = found.setdefault(point.name, point)
+        if point.value != first.value:
+            _warn_of_two(first, point)
     for name in sorted(found.keys() & set(own)):
         warnings.warn(f"{_plugin(found.pop(name))}, is ignored, as polhode has one of this name itself. Rename or "
                       "remove it.", stacklevel=2)
@@ -135,6 +141,25 @@ def list_modules_of_others() -> list[Path]:
     from polhode._base.plugins.code import list_edited_modules
 
     return sorted(set(list_edited_modules(_KNOWN)))
+
+
+def _rank(point: Any) -> tuple[str, str, str]:
+    return point.name, _package(point), point.value
+
+
+def _package(point: Any) -> str:
+    return str(getattr(getattr(point, "dist", None), "name", None) or "")
+
+
+def _warn_of_two(taken: Any, other: Any) -> None:
+    """Warn that two packages bring one name, once in a process: commands look for entry points again and again."""
+    both = _plugin(taken), _plugin(other)
+    if both in _warned:
+        return
+    first, second = (f"{point.value} of {_package(point) or 'another package'}" for point in (taken, other))
+    warnings.warn(f"two packages bring the {both[0].word} {taken.name}: {first}, which is taken, and {second}, which "
+                  "is ignored. Rename or remove one.", stacklevel=3)
+    _warned.add(both)
 
 
 def _plugin(point: Any) -> Plugin:
