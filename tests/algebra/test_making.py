@@ -37,6 +37,16 @@ def test_constants_that_are_refused(constants, words):
         lie.from_structure_constants(constants)
 
 
+@pytest.mark.parametrize("rotations", [None, 3, np.array(0)])
+def test_rotations_that_are_no_list_are_refused(rotations):
+    for make in (lambda: lie.Product(lie.SO3(), lie.SO3(), rotations=rotations),
+                 lambda: lie.from_structure_constants(EPSILON, rotations=rotations)):  # fmt: skip
+        with pytest.raises(InvalidInput, match="^`rotations` must be three components one behind the other"):
+            make()
+    for none in ((), [], np.array([])):
+        assert lie.Product(lie.SO3(), lie.SO3(), rotations=none).rotations == ()
+
+
 def test_jacobi_names_the_indices():
     constants = np.zeros((3, 3, 3))
     constants[0, 1, 0], constants[1, 0, 0] = 1.0, -1.0

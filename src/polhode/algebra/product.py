@@ -31,7 +31,7 @@ class Product(AbstractLieAlgebra):
             raise InvalidInput(f"`Product` must be given algebras, one at least; got {shown(factors)}. "
                                "Write Product(first, second), without brackets around them.")
         self.factors, self.given_rotations = factors, ()
-        if len(rotations):
+        if not (isinstance(rotations, Sequence) and not rotations):
             self.given_rotations = check_rotations(Product(*factors).structure_constants(), rotations)
 
     @property
