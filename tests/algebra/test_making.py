@@ -41,7 +41,7 @@ def test_constants_that_are_refused(constants, words):
 def test_rotations_that_are_no_list_are_refused(rotations):
     for make in (lambda: lie.Product(lie.SO3(), lie.SO3(), rotations=rotations),
                  lambda: lie.from_structure_constants(EPSILON, rotations=rotations)):  # fmt: skip
-        with pytest.raises(InvalidInput, match="^`rotations` must be three components one behind the other"):
+        with pytest.raises(InvalidInput, match=r"^`rotations` must be three components one behind the other"):
             make()
     for none in ((), [], np.array([])):
         assert lie.Product(lie.SO3(), lie.SO3(), rotations=none).rotations == ()

@@ -19,6 +19,19 @@ def test_a_needle_needs_finer_segments(monkeypatch):
         twist.racket_twist(NEEDLE, 1)
 
 
+def test_a_turn_as_long_as_it_can_be_is_followed():
+    """Where L stays next to the axis of the largest moment, the turn takes the longest possible time to rounding."""
+    moments = np.array((0.00027245432603122826, 1.0, 1.000030578124565))
+    momentum = np.array((-3.5155574660358034e-10, 1.3927108853455511e-05, 1.0000033828077344))
+    got = twist.racket_twist(ph.FreeMotion(moments, momentum=momentum))
+    # Euler's equations with constant L₃, of which L₁² + L₂² is 2e-10: L̇₂ = a L₁, L̇₁ = b L₂
+    long, middle, short = 1.0 / moments
+    a, b = momentum[2] * (long - short), momentum[2] * (short - middle)
+    frequency, time = np.sqrt(-a * b), 2.0 * np.pi * moments[2] / momentum[2]
+    last = momentum[1] * np.cos(frequency * time) + a * momentum[0] / frequency * np.sin(frequency * time)
+    assert got == pytest.approx(abs(last - momentum[1]) / momentum[2], rel=1e-7)
+
+
 @pytest.mark.parametrize(("late", "good"), [(0.9e-6, True), (1.1e-6, False)])
 def test_the_attitude_must_agree_with_the_integral(monkeypatch, late, good):
     motion = ph.FreeMotion((0.00121, 0.01638, 0.01748), momentum=(0.1 * 0.00121, 0.01638, 0.0))

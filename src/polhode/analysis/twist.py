@@ -121,8 +121,9 @@ def _one_turn(rates: Callable[[Array], np.ndarray], edges: np.ndarray, period: f
     edges, parts = _integrals(rates, edges)
     azimuth, twist = np.cumsum(parts, axis=1)
     before_time, before_azimuth, before_twist = 0.0, 0.0, 0.0
-    if azimuth[-1] < TURN and period is not None:
-        # L is back after a period, so that the twist is whole turns then
+    if azimuth[-1] < TURN and edges[-1] == period:
+        # L is back after a period, so that the twist is whole turns then. Edges that end before it span the longest
+        # possible turn, of which rounding alone leaves less than a turn
         periods = math.floor(TURN / azimuth[-1])
         before_time, before_azimuth = periods * period, periods * azimuth[-1]
         before_twist = periods * TURN * round(twist[-1] / TURN)
