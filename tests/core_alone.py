@@ -99,6 +99,8 @@ DOORS_OF_ONE = {
                    lambda: ph.report(LOG.with_name("top.toml")).figure("axis_path"),
                    lambda: ph.report(LOG.with_name("top.toml")).draw(".")),
     "scipy": (lambda: ph.fit(LOG),),
+    "pint": (lambda: ph.read_spec(LOG.with_name("top.toml")), lambda: ph.report(LOG.with_name("top.toml"))),
+    "platformdirs": (lambda: ph.read_spec(LOG.with_name("top.toml")),),
     "pydantic": (lambda: ph.fit(LOG),),
 }  # fmt: skip
 """What must be refused where one library alone is missing."""

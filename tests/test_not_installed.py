@@ -149,7 +149,7 @@ def test_the_core_needs_no_other_library():
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("module", ["matplotlib", "scipy", "pydantic"])
+@pytest.mark.parametrize("module", ["matplotlib", "scipy", "pydantic", "pint", "platformdirs"])
 def test_one_library_that_is_missing_is_named(module):
     command = [sys.executable, ROOT / "tests" / "core_alone.py", "--hide-one", module]
     done = subprocess.run(command, capture_output=True, text=True)

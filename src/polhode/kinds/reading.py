@@ -11,6 +11,7 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
+from polhode._base.extras import needing
 from polhode._base.plugins import record_plugins
 from polhode.errors import FormatError, InvalidInput, NotConverged, printable, shown
 from polhode.formats.mesh_archives import names_its_unit
@@ -67,7 +68,7 @@ def build_spec(tables: dict[str, Any], path: Path) -> Spec:
         tables: as TOML has them, without [sweep]; they stay as they are.
         path: of the file, which messages name and from whose folder paths count.
     """
-    with record_plugins() as plugins:
+    with needing("Specs need"), record_plugins() as plugins:
         spec = _build_spec(tables, path)
     return replace(spec, plugins=tuple(sorted(plugins)))
 
