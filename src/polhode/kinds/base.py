@@ -24,7 +24,6 @@ from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.formats.labels import AttitudeLabels
 from polhode.kinds.added_figures import figures_of
-from polhode.kinds.panel import KindPanel
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table
 from polhode.reports.base import MotionReport, SystemReport
@@ -40,6 +39,7 @@ if TYPE_CHECKING:
 
     from polhode.bodies.surface import Surface
     from polhode.kinds.ensembles import Ensemble, ManySpecs
+    from polhode.kinds.panel import KindPanel
     from polhode.motion.base import AbstractMotion
     from polhode.viewer.panels import PageContent
     from polhode.viewer.samples import Samples
@@ -260,11 +260,16 @@ class AbstractKind(abc.ABC, Generic[TableT]):
             InvalidInput: where there is nothing to show.
         """
         self.check_page()
-        return (self.panel() or KindPanel()).shown(report)
+        return self._any_panel().shown(report)
 
     def content_of_report(self, report: SystemReport, samples: Samples, surface: Surface | None) -> PageContent:
         """Return the pictures on the page of a report without a motion of its own; see ``KindPanel.content``."""
-        return replace((self.panel() or KindPanel()).content(report, samples, surface), scripts=self._scripts())
+        return replace(self._any_panel().content(report, samples, surface), scripts=self._scripts())
+
+    def _any_panel(self) -> KindPanel:
+        from polhode.kinds.panel import KindPanel
+
+        return self.panel() or KindPanel()
 
     def content(self, trajectory: Trajectory, samples: Samples, surface: Surface | None) -> PageContent | None:
         """Return the kind's own pictures of a page; None if it has none. Arguments as ``KindPanel.panels`` has them."""
