@@ -34,7 +34,7 @@ WAYS = {
     "zarr, read": ("zarr", lambda path: read_dataset(path / "old.zarr")),
     "xarray": ("xarray", lambda path: ph.as_dataset(motion())),
     "xarray, for stores": ("xarray", lambda path: motion().save(path / "new.zarr")),
-    "xarray, for spectra": ("xarray", lambda path: spectrum_dataset(lines=())),
+    "xarray, for spectra": ("xarray", lambda path: spectrum_dataset()),
     "xarray, read": ("xarray", lambda path: read_dataset(path / "old.nc")),
     "h5netcdf": ("h5netcdf", lambda path: motion().save(path / "new.nc")),
     "h5py": ("h5py", lambda path: motion().save(path / "new.nc")),

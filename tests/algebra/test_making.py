@@ -38,7 +38,7 @@ def test_constants_that_are_refused(constants, words):
 
 
 @pytest.mark.parametrize("rotations", [None, 3, np.array(0)])
-def test_rotations_that_are_no_list_are_refused(rotations):
+def test_rotations_that_are_no_list_are_refused(rotations, any_type):
     for make in (lambda: lie.Product(lie.SO3(), lie.SO3(), rotations=rotations),
                  lambda: lie.from_structure_constants(EPSILON, rotations=rotations)):  # fmt: skip
         with pytest.raises(InvalidInput, match=r"^`rotations` must be three components one behind the other"):

@@ -120,7 +120,7 @@ def test_one_may_have_nothing_to_draw(capsys, add_entry_points):
 
 def test_nothing_is_imported_before_it_is_drawn(add_entry_points):
     add_entry_points(added_figures.GROUP, ("free-body.bad", "nowhere:draw"))
-    assert list(read_spec("box.toml").report().figures()) == [*OWN, "spin_rate", "bad"]
+    assert list(read_spec("box.toml").report().figures()) == [*OWN, "bad", "spin_rate"]
 
 
 def test_one_of_a_wing_is_taken_from_its_table_and_its_mistakes_are_ours(monkeypatch):

@@ -148,7 +148,7 @@ class Block:
         self.check_finite("a rotation or a rate", lines, attitude, velocity)
         return attitude, velocity
 
-    def check_finite(self, what: str, lines: Integer[Array, "n"], *samples: Float64[Array, "n k"] | None) -> None:
+    def check_finite(self, what: str, lines: Integer[Array, "n"], *samples: Float64[Array, "n _"] | None) -> None:
         """Refuse samples (n, k) that came out infinite.
 
         Raises:
