@@ -196,6 +196,7 @@ def test_a_state_beyond_series_leaves_the_others_theirs():
     alone: Any = ph.simulate(TOP, START, TIMES, estimate_error=False)
     assert (both.states[0] == alone.states).all()
     assert both.plan.method == "Taylor" and "overflow or vanish" in both.plan.otherwise.reason
+    assert ph.plan(TOP, np.stack([START, 1e-170 * START]), TIMES) == both.plan
 
 
 def test_solve_refuses_memory_that_is_none(any_type):

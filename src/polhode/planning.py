@@ -11,6 +11,7 @@ import contextlib
 import operator
 import warnings
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import equinox as eqx
@@ -22,13 +23,7 @@ from polhode._base.arrays import is_positive, known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import TOLERANCE, check_events
-from polhode.integrators._choice import (
-    choose_solver,
-    class_for,
-    is_adaptive,
-    step_angle,
-    turning_rates,
-)
+from polhode.integrators._choice import choose_solver, class_for, is_adaptive, step_angle, turning_rates
 from polhode.integrators._difference import EPS
 from polhode.integrators._series import Taylor, find_obstacle, goes_by_arrays, has_short_series, is_series
 from polhode.integrators.probing import find_undeclared_jumps, name_jumps
@@ -158,7 +153,10 @@ def plan(
             return first.plan
         if method is not None:
             raise obstacle
-        return prepare_without_series(request, obstacle.why).plan
+        lost = np.ones(request.batch_shape, bool) if obstacle.copies is None else (
+            np.reshape(obstacle.copies, request.batch_shape))
+        rest = prepare_without_series(request.of_copies(lost), obstacle.why).plan
+        return rest if lost.all() else replace(first.plan, copies=int((~lost).sum()), otherwise=rest)
 
 
 @contextlib.contextmanager

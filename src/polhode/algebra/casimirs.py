@@ -65,7 +65,7 @@ def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int, read_as: str =
 
 
 def check_degree(degree: int, count: int, dim: int) -> None:
-    """Refuse a degree that is no whole number, or has too many monomials for exact linear algebra.
+    """Refuse a degree that is not a whole number, or has too many monomials for exact linear algebra.
 
     Raises:
         InvalidInput: naming it.

@@ -264,7 +264,7 @@ def from_matrices(
 
     Raises:
         InvalidInput: if the matrices depend on each other, or a commutator leaves their span; its indices are named. If
-            a function is not a Casimir, names do not fit, or components are no so(3).
+            a function is not a Casimir, names do not fit, or components span no so(3).
     """
     require_doubles(basis=basis)
     try:

@@ -42,7 +42,7 @@ class Semidirect(ConstantsAlgebra):
 
     Raises:
         InvalidInput: if the generators do not represent the algebra, [ρ_i, ρ_j] = Σ c_ijk ρ_k; the indices are named.
-            If a function is not a Casimir, names do not fit, or components are no so(3).
+            If a function is not a Casimir, names do not fit, or components span no so(3).
     """
 
     algebra: AbstractLieAlgebra
