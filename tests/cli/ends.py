@@ -53,7 +53,7 @@ GIVEN = {
     "wobble": [["--from", "1995-01-01", "--to", "2012-01-01"]],
 }
 EXAMPLE = re.compile(r"(?:[Ll]ike|default:) \"?([^\";)]*?\d[^\";)]*)\"?")
-NUMBER = re.compile(r"(?<![\w.-])[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?(?![\d-])")
+NUMBER = re.compile(r"(?<![\w.:-])[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?(?![\d-])")
 
 
 def log_of(scale=(1.0, 1.0)):

@@ -196,9 +196,9 @@ def deviations(folder):
 
 @pytest.mark.sweep
 def test_a_fit_of_computed_attitudes_is_no_more_confident_than_it_is_right(folder, monkeypatch):
-    """Least squares that end where the sum no longer falls are at half of the digits, 15 standard errors away."""
+    """A fit that ends short of the least sum, as such sums no longer fall at half of the digits, is too sure."""
     assert deviations(folder).max() < 3.0
-    monkeypatch.setattr(attitude_fit, "take_last_steps", lambda system, x, *limits: (x, np.zeros(len(x))))
+    monkeypatch.setattr(attitude_fit, "take_last_steps", lambda system, x, *limits: (x + 1e-12, np.zeros(len(x))))
     assert deviations(folder).max() > 5.0
 
 

@@ -11,6 +11,7 @@ from typer.core import TyperCommand
 
 from polhode.cli.naming import as_options, run_as
 from polhode.errors import InvalidInput, PolhodeError, shown
+from polhode.formats.numerals import read_number
 
 _WHOLE = re.compile(r"[-+]?[0-9]{1,12}")
 
@@ -36,6 +37,18 @@ def whole_number(least: int, most: int) -> Callable[[str | int], int]:
         return int(text)
 
     return parse
+
+
+def real_number(text: str | float) -> float:
+    """Return the finite number that a word of an option is, as files have it; Python alone would take ``1e-400`` for 0.
+
+    Raises:
+        typer.BadParameter: for anything else.
+    """
+    try:
+        return read_number(str(text))
+    except ValueError as error:
+        raise typer.BadParameter(f"{error}; got {shown(text)}") from None
 
 
 class StrictCommand(TyperCommand):

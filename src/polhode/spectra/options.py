@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from polhode.cli.arguments import whole_number
+from polhode.cli.arguments import real_number, whole_number
 
 MoleculeFile = Annotated[
     Path,
@@ -27,7 +27,8 @@ Temperature = Annotated[
 Lowest = Annotated[str | None, typer.Option("--from", metavar="FREQUENCY", help='Like "80 GHz" or "10 cm^-1".')]
 Highest = Annotated[str | None, typer.Option("--to", metavar="FREQUENCY", help="The same.")]
 SmallestIntensity = Annotated[
-    float | None, typer.Option("--min-intensity", metavar="I", help="Of the lines, in nm² MHz, like 1e-5.")
+    float | None,
+    typer.Option("--min-intensity", metavar="I", parser=real_number, help="Of the lines, in nm² MHz, like 1e-5."),
 ]
 Strongest = Annotated[
     int,

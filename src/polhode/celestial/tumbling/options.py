@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from polhode.cli.arguments import real_number
+
 Body = Annotated[
     str | None,
     typer.Argument(metavar="BODY", show_default=False, help="A known tumbler, like apophis; --list shows them."),
@@ -50,7 +52,8 @@ Rigidity = Annotated[
 ]
 ShapeFactor = Annotated[
     float | None,
-    typer.Option("--shape-factor", metavar="K2", help="K₃² of the damping, .01 round to .1 long (default: .03)."),
+    typer.Option("--shape-factor", metavar="K2", parser=real_number,
+                 help="K₃² of the damping, .01 round to .1 long (default: .03)."),
 ]
 Aspect = Annotated[
     str | None,
