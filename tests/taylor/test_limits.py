@@ -8,7 +8,7 @@ import pytest
 import polhode as ph
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import Taylor, _series
-from polhode.taylor import advancing, expressions, machine, sides, switching, tracing
+from polhode.taylor import advancing, expressions, kernels, machine, sides, switching, tracing
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.machine import build_machine
 from taylor.test_branches import wedge
@@ -100,3 +100,29 @@ def test_steps_are_taken_up_to_a_number(monkeypatch):
         else:
             with pytest.raises(NotConverged, match="steps did not reach the last time"):
                 ph.simulate(system, start, times, Taylor, estimate_error=False)
+
+
+class Named(OwnField):
+    def invariants(self, state):
+        return {"wide": jnp.sum(state**1.5), "other": jnp.sum(state**2.5)}
+
+
+def test_what_does_not_fit_is_what_the_system_names_last(monkeypatch):
+    """The tape needs two powers for the first quantity, two for its gradient, and two more for the other quantity."""
+    for most, names in ((6, ("other", "wide")), (5, ("wide",)), (4, ("wide",)), (3, ())):
+        with monkeypatch.context() as patch:
+            patch.setattr(expressions, "LIMITS", expressions.TapeLimits(max_nodes=most))
+            anew = lambda t, y: -0.5 * y  # noqa: E731  # so that no machine made before is taken
+            assert sorted(set(build_machine(Named(anew), np.ones(2), None).names)) == sorted(names)
+    most = machine.LIMITS.max_gradient_numbers // 2
+    names = [build_machine(Named(halved), np.ones(size), None).names for size in (most, most + 1)]
+    assert names == [("other", "wide"), ("wide",)]
+
+
+def test_code_is_written_for_what_is_conserved_up_to_a_length(monkeypatch):
+    use, operations = kernels.Kernel(1, True, None, None, 1), build_machine(Summed(halved), np.ones(3), None)
+    monkeypatch.setattr(kernels._Spent, "by_program", {operations.program.form: 1e9})
+    for most, written in ((operations.integrals.length, True), (operations.integrals.length - 1, False)):
+        monkeypatch.setattr(kernels, "LIMITS", kernels.LIMITS._replace(max_integral_operations=most))
+        code, values = kernels.write_code(use, operations.program, operations.integrals)
+        assert code is not None and (values is not None) is written

@@ -69,9 +69,9 @@ class Manakov(AbstractLiePoissonSystem):
         def value(point: Array) -> Array:
             # (M + sΛ²)˙ = [M + sΛ², Ω + sΛ]: the terms of order s cancel, [M, Λ] + [Λ², Ω] = 0 by M = ΛΩ + ΩΛ
             square = jnp.diag(self.masses**2)
-            powers = [jnp.eye(self.size)]  # coefficients of 1, s, … of (M + sΛ²)^m
+            powers = [jnp.eye(self.size)]  # coefficients of 1, s, …, s^j of (M + sΛ²)^m
             for _ in range(k):
-                longer = [p @ point for p in powers] + [jnp.zeros_like(point)]
+                longer = ([p @ point for p in powers] + [jnp.zeros_like(point)])[: j + 1]
                 powers = [own + (powers[m - 1] @ square if m else 0.0) for m, own in enumerate(longer)]
             return jnp.trace(powers[j], axis1=-2, axis2=-1)
 

@@ -126,10 +126,11 @@ def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
 
     def of_one(x: Array) -> dict[str, Array]:
         values, back = jax.vjp(lambda y: choose(y, False), x)
-        terms = {}
-        for name in values:
-            picked = {other: jnp.asarray(other == name, values[other].dtype) for other in values}
-            terms[name] = jnp.sum(jnp.abs(x * back(picked)[0]))
+        # one pass backwards for all of them: one each would trace the operations of all of them each time
+        rows = np.eye(len(values))
+        picked = {name: jnp.asarray(rows[k], values[name].dtype) for k, name in enumerate(values)}
+        sizes = jax.vmap(lambda each: jnp.sum(jnp.abs(x * back(each)[0])))(picked) if values else ()
+        terms: dict[str, Array] = {name: sizes[k] for k, name in enumerate(values)}
         for name, each in choose(x, True).items():
             terms[name] = _of_copies(lambda y, name=name: choose(y, True)[name], x, each.size)
         return terms

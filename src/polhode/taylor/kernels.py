@@ -51,6 +51,7 @@ class CodeLimits(NamedTuple):
     seconds_of_extended: float = 12.0
     min_seconds_of_operation: float = 1e-3  # s of slower runs for each operation, in which writing pays off
     max_operations: int = 4000
+    max_integral_operations: int = 4000  # compiling takes longer than in proportion: 18,000 take 17 s and 1 GB
 
 
 LIMITS = CodeLimits()
@@ -105,6 +106,7 @@ def write_code(use: Kernel, program: Program, integrals: Program) -> tuple[Any, 
 
     # Python's own steps take longer than what this saves
     simple = use.is_compiled and integrals.outputs and integrals.is_of_products
+    simple = simple and integrals.length <= LIMITS.max_integral_operations
     return generate(program, use.lanes), generate_values(integrals, use.lanes) if simple else None
 
 

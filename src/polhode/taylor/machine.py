@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from itertools import chain
 from typing import Any, NamedTuple
@@ -331,20 +331,48 @@ def tape_value(tape: Tape, x: Any) -> Expression:
 
 
 def _integrals(system: AbstractSystem, form: Form) -> tuple[tuple[str, ...], Program]:
-    """Return names and program of all conserved numbers of which gradients can be traced, one after the other."""
+    """Return names and program of all conserved numbers of which gradients can be traced, one after the other.
+
+    Of those whose gradients do not fit on a tape together, these are the first that the system names.
+    """
     of_copies = frozenset(name for name, quantity in system.quantities.items() if quantity.of_copies)
     carries_attitude = isinstance(system, AbstractLiePoissonSystem) and _carries_attitude(system, form)
     (closed, places), numbers = _of_any_numbers(_write_conserved, system, form, of_copies, carries_attitude)
-    names, outputs = [], []
+    try:
+        names, tape, rows = _gradients(form, closed, [dict(sorted(places.items()))], numbers)
+    except _Full:
+        names, tape, rows = _gradients(form, closed, [{name: place} for name, place in places.items()], numbers)
+    outputs = [value for value, _ in rows] + [x for _, slopes in rows for x in slopes]
+    return tuple(names), make_program(tape, outputs)
+
+
+class _Full(Exception):
+    """A tape on which gradients do not fit together."""
+
+
+def _gradients(
+    form: Form, closed: Any, groups: Sequence[dict[str, int]], numbers: Array
+) -> tuple[list[str], Tape, list[tuple[Expression, list[Expression]]]]:
+    """Return names, the tape, and values with their gradients on it: of one group after the other until it is full.
+
+    Raises:
+        _Full: if a single group does not fit.
+    """
+    names, rows = [], []
     tape = Tape(form.size)
     state = np.empty(form.size, object)
     state[:] = tape.state()
-    for name, conserved in _evaluate_if_possible(closed, places, state, numbers).items():
-        values = [tape_value(tape, x) for x in np.ravel(conserved)]
-        outputs.extend((value, gradient(value)) for value in values)
-        names.extend([name] * len(values))
-    rows = [value for value, _ in outputs] + [x for _, slopes in outputs for x in slopes]
-    return tuple(names), make_program(tape, rows)
+    for places in groups:
+        evaluated = _evaluate_if_possible(closed, places, state, numbers)
+        values = [(name, tape_value(tape, x)) for name, array in evaluated.items() for x in np.ravel(array)]
+        try:
+            rows.extend([(value, gradient(value)) for _, value in values])
+        except Untraceable:
+            if len(groups) == 1:
+                raise _Full from None
+            break
+        names.extend(name for name, _ in values)
+    return names, tape, rows
 
 
 def _evaluate_if_possible(closed: Any, places: dict[str, int], state: Array, numbers: Array) -> dict[str, Array]:
@@ -363,13 +391,16 @@ def _write_conserved(
     """Return a jaxpr of the real numbers of state and system, and the places of conserved quantities in it.
 
     Vectors are left out, unless they hold one number for each copy (``of_copies``), and so are quantities with too many
-    gradients.
+    gradients, the last that the system names first.
     """
+    order: list[str] = []
 
     def values(x: Any, numbers: Any) -> dict[str, Any]:
         invariants = structure.with_numbers(numbers).invariants(form.state(x))
         conserved = {name: jnp.real(value) for name, value in invariants.items()}
-        return conserved | ({"|q|²": jnp.sum(x[:4] ** 2)} if carries_attitude else {})
+        conserved |= {"|q|²": jnp.sum(x[:4] ** 2)} if carries_attitude else {}
+        order[:] = conserved
+        return conserved
 
     sizes = form.size, structure.size
     arguments = [jax.ShapeDtypeStruct((size,), float) for size in sizes]
@@ -377,7 +408,7 @@ def _write_conserved(
     check_traced("an invariant of the system", closed)
     places, count = {}, 0
     at = {name: place for place, name in enumerate(sorted(shapes))}  # as JAX has the keys of a dictionary
-    for name in shapes:
+    for name in order:
         size, is_number = math.prod(shapes[name].shape), shapes[name].ndim == 0
         fits = (count + size) * form.size <= LIMITS.max_gradient_numbers
         if fits and (is_number or name in of_copies):
