@@ -137,7 +137,7 @@ NO_ARRAYS = {
 """Functions of objects, words and whole numbers, and records of known answers."""
 CALLED_BY_OTHERS = {
     "measuring.throws.gyro_log.check_sizes", "algebra.base.HashableModule", "algebra.casimirs.check_degree",
-    "algebra.casimirs.rational_brackets", "algebra.casimirs.invariant_terms", "algebra.constants.check_constants",
+    "algebra.casimirs.rational_brackets", "algebra.casimirs.invariant_polynomials", "algebra.constants.check_constants",
     "algebra.matrix.adjoint", "algebra.matrix.traceless", "algebra.matrix.check_size", "algebra.matrix.pfaffian",
     "algebra.so3.half_angle_factors", "algebra.so3.scaled_norm", "analysis.gyrostat_rotations.symmetry_axis",
     "systems.body_with_rotor.clean_direction", "rolling.euler_disk.system.rolling_parts",

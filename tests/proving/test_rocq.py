@@ -4,12 +4,12 @@ import importlib.util
 import shutil
 import subprocess
 from dataclasses import replace
-from fractions import Fraction
 from pathlib import Path
 
 import jaxtyping
 import numpy as np
 import pytest
+from flint import fmpq
 
 import polhode as ph
 from certificates.test_exact import ALTERED, BODY, TOP, UPRIGHT, exact, judge
@@ -130,7 +130,7 @@ def test_a_report_is_written_with_its_proofs_or_not_at_all(tmp_path):
 def test_a_proof_says_how_far_its_point_is():
     certificate = judge(BODY, [0, 0, 1]).certificate.as_rational()
     assert "This exact equilibrium" not in proof_text(certificate, "exact")
-    moved = replace(certificate, equations=replace(certificate.equations, moved=Fraction(1, 10**12)))
+    moved = replace(certificate, equations=replace(certificate.equations, moved=fmpq(1, 10**12)))
     assert "This exact equilibrium is 1.0e-12 from the point that was asked about." in proof_text(moved, "moved")
 
 

@@ -9,7 +9,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode._base.arrays import is_jax
-from polhode._base.rational._polynomials import SUPERSCRIPTS
+from polhode._base.rational._terms import show_terms
 from polhode.types import Array, ArrayLike, Float64, Real
 
 
@@ -56,14 +56,7 @@ class Polynomial:
         return self.exponents.tobytes(), self.exponents.shape, self.coefficients
 
     def __str__(self) -> str:
-        text = ""
-        for powers, coefficient in zip(self.exponents, self.coefficients, strict=True):
-            factors = [f"x{i + 1}" + (str(powers[i]).translate(SUPERSCRIPTS) if powers[i] > 1 else "")
-                       for i in np.flatnonzero(powers)]
-            size = "" if abs(coefficient) == 1 else f"{abs(coefficient)} "
-            sign = ("" if coefficient > 0 else "−") if not text else (" + " if coefficient > 0 else " − ")
-            text += sign + size + " ".join(factors)
-        return text
+        return show_terms(zip(self.exponents.tolist(), self.coefficients, strict=True))
 
     def __repr__(self) -> str:
         return f"Polynomial({self})"

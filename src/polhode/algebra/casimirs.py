@@ -16,9 +16,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode._base.rational._sparse import REMEDY, new_terms, null_space
-from polhode._base.rational._terms import Terms, exponents_of, multiply_together, whole_terms
-from polhode._base.rational.numbers import EXACT, read_number
+from polhode._base.extras import needing
+from polhode._base.rational._sparse import REMEDY, SparseRow, choose_independent, null_space, whole_multiple
+from polhode._base.rational._terms import exponents_of, multiply_together
+from polhode._base.rational.numbers import EXACT, as_fraction, read_number
 from polhode.algebra._polynomial import Polynomial
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput, shown
@@ -60,8 +61,8 @@ def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int, read_as: str =
     """
     is_degree = isinstance(degree, int) and degree > 0
     check_degree(degree, math.comb(algebra.dim + degree - 1, degree) if is_degree else 0, algebra.dim)
-    independent = invariant_terms(rational_brackets(algebra, read_as), degree)
-    return [Polynomial(np.array(list(terms)).reshape(-1, algebra.dim), list(terms.values())) for terms in independent]
+    independent = invariant_polynomials(rational_brackets(algebra, read_as), degree)
+    return [Polynomial(np.array(p.monoms(), int), list(map(as_fraction, p.coeffs()))) for p in independent]
 
 
 def check_degree(degree: int, count: int, dim: int) -> None:
@@ -77,20 +78,20 @@ def check_degree(degree: int, count: int, dim: int) -> None:
                            f"{LIMITS.max_monomials}. {REMEDY}")
 
 
-def invariant_terms(brackets: RationalBrackets, degree: int) -> list[Terms]:
-    """Return the result of ``polynomial_casimirs`` as {exponents: coefficient}, from those of ``rational_brackets``.
+def invariant_polynomials(brackets: RationalBrackets, degree: int) -> list[Any]:
+    """Return the result of ``polynomial_casimirs`` as python-flint's, from the result of ``rational_brackets``.
 
     Raises:
         InvalidInput: for a problem too large, or a missing python-flint.
     """
     generators = _generators(brackets)
-    independent: list[Terms] = []
+    independent: list[Any] = []
     for d in range(1, degree + 1):
         invariants = _invariants(brackets, generators, d)
         if invariants:
-            products = [terms for terms in multiply_together(independent, d) if sum(next(iter(terms))) == d]
-            independent += new_terms(invariants, products)
-    return [whole_terms(terms) for terms in independent]
+            products = [p for p in multiply_together(independent, d) if sum(p.monoms()[0]) == d]
+            independent += choose_independent(invariants, products)
+    return [whole_multiple(p) for p in independent]
 
 
 def rational_brackets(algebra: AbstractLieAlgebra, read_as: str = EXACT) -> RationalBrackets:
@@ -181,22 +182,29 @@ def _generators(brackets: RationalBrackets) -> list[int]:
     return chosen
 
 
-def _invariants(brackets: RationalBrackets, generators: list[int], degree: int) -> list[Terms]:
+def _invariants(brackets: RationalBrackets, generators: list[int], degree: int) -> list[Any]:
     """Return a basis of the polynomials of one degree that commute with the generators."""
+    with needing("Exact Casimirs and integrals need"):
+        from flint import fmpq
+
+        from polhode._base.rational._polynomials import context
     dim = len(brackets)
     monomials = [exponents_of(m, dim) for m in combinations_with_replacement(range(dim), degree)]
     place = {m: n for n, m in enumerate(monomials)}
+    moves = {g: [[(k, fmpq(c.numerator, c.denominator)) for k, c in vector.items()] for vector in brackets[g]]
+             for g in generators}
     # {x_g, Π x_i^{e_i}} = Σ_j e_j x^{e − 1_j} Σ_k c_gj^k x_k, by Leibniz
-    rows: dict[tuple[int, int], dict[int, Fraction]] = defaultdict(lambda: defaultdict(Fraction))
+    rows: dict[tuple[int, int], SparseRow] = defaultdict(lambda: defaultdict(int))
     for column, monomial in enumerate(monomials):
-        for g in generators:
-            for j in np.flatnonzero(monomial):
-                lowered = list(monomial)
-                lowered[j] -= 1
-                for k, value in brackets[g][int(j)].items():
+        for j in np.flatnonzero(monomial).tolist():
+            lowered = list(monomial)
+            lowered[j] -= 1
+            for g, move in moves.items():
+                for k, value in move[j]:
                     raised = list(lowered)
                     raised[k] += 1
-                    rows[g, place[tuple(raised)]][column] += monomial[int(j)] * value
+                    rows[g, place[tuple(raised)]][column] += monomial[j] * value
     distinct = {tuple(sorted((c, v) for c, v in row.items() if v)) for row in rows.values()} - {()}
     matrix = [dict(row) for row in sorted(distinct, key=len)]
-    return [{monomials[c]: v for c, v in vector.items()} for vector in null_space(matrix, len(monomials))]
+    space = context(dim)
+    return [space.from_dict({monomials[c]: v for c, v in vector.items()}) for vector in null_space(matrix, len(place))]

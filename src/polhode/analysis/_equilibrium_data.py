@@ -8,8 +8,8 @@ from typing import NamedTuple
 import jax
 import jax.numpy as jnp
 import numpy as np
+from flint import fmpq_mpoly
 
-from polhode._base.rational._polynomials import RationalPolynomial
 from polhode.algebra._functions import Function
 from polhode.analysis._conserved import (
     Casimirs,
@@ -145,7 +145,7 @@ def problem(
 
 
 def _differentiate(
-    source: Source, polynomials: Sequence[RationalPolynomial] | None, z: Array, around: Array
+    source: Source, polynomials: Sequence[fmpq_mpoly] | None, z: Array, around: Array
 ) -> Derivatives:
     return derivatives(source, z, around) if polynomials is None else polynomial_derivatives(polynomials, z, around)
 
@@ -162,7 +162,7 @@ class _Integrals(NamedTuple):
 
 
 def _integrals(
-    source: Source, names: list[str], polynomials: Sequence[RationalPolynomial] | None, tensor: Array, z: Array,
+    source: Source, names: list[str], polynomials: Sequence[fmpq_mpoly] | None, tensor: Array, z: Array,
     unit: float, around: Array,
 ) -> _Integrals:
     if not names:

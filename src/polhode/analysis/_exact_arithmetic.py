@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from polhode._base.extras import needing
-from polhode._base.rational.numbers import read_number
+from polhode._base.rational.numbers import as_fmpq, read_number
 from polhode.errors import InvalidInput, NotConverged, shown
 
 Ball = Any
@@ -67,10 +67,7 @@ def exact_rational(name: str, number: ExactNumber) -> Rational:
     Raises:
         InvalidInput: for anything that is not a finite number within 1e±5000.
     """
-    from flint import fmpq
-
-    value = read_number(number, name=name)
-    return fmpq(value.numerator, value.denominator)
+    return as_fmpq(read_number(number, name=name))
 
 
 def exact_rationals(name: str, values: Any, count: int) -> list[Rational]:

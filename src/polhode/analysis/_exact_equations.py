@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
+from flint import fmpq, fmpq_mpoly
 
-from polhode._base.rational._polynomials import RationalPolynomial
-from polhode._base.rational.numbers import EXACT, check_reading, read_number
+from polhode._base.rational._polynomials import context, magnitude, rate, variables
+from polhode._base.rational.numbers import EXACT, as_fmpq, check_reading, read_number
 from polhode.algebra._functions import Function
 from polhode.algebra.casimirs import polynomial_casimirs, rational_brackets
 from polhode.analysis._conserved import LIMITS as CONSERVATION_LIMITS
@@ -40,7 +41,7 @@ if TYPE_CHECKING:
     from polhode.analysis.energy_casimir import Stability
 
 Reader = Callable[[float], Fraction]
-Named = dict[str, RationalPolynomial]
+Named = dict[str, fmpq_mpoly]
 
 
 class ExactEquationLimits(NamedTuple):
@@ -109,7 +110,7 @@ def make_rational(judgement: Stability, subject: Subject, read_as: str) -> Ratio
 def _further_integrals(equations: Equations, verdict: str) -> Iterator[Named]:
     """Yield what else is conserved: coordinates that do not move, then all polynomials of second degree."""
     if verdict == "stable":
-        if still := {f"x{k + 1}": x for k, x in enumerate(RationalPolynomial.variables(equations.size))
+        if still := {f"x{k + 1}": x for k, x in enumerate(variables(equations.size))
                      if not equations.field[k]}:
             yield still
         if equations.size <= LIMITS.max_coordinates:
@@ -141,14 +142,14 @@ def make_equations(judgement: Stability, subject: Subject, read_as: str = EXACT)
                 )
             flow = _scale_to_turns(poisson_field(brackets, system.sign, conserved[flow_name]), flow_name)
         conserved[ENERGY] = energy
-    conserved = {k: c for k, c in conserved.items() if not c.rate(vector_field)}
+    conserved = {k: c for k, c in conserved.items() if not rate(c, vector_field)}
     vanishing = _parallel(vector_field, flow) if flow else vector_field
     point, moved = rational_equilibrium(vanishing, conserved, hint, subject.point.tolist(), read)
     name = type(system).__name__
     return Equations(name, vector_field, conserved, point, moved, flow, flow_name, read_as=read_as), hint
 
 
-def _trace(what: str, function: Source, n: int, read: Reader) -> list[RationalPolynomial]:
+def _trace(what: str, function: Source, n: int, read: Reader) -> list[fmpq_mpoly]:
     try:
         return trace_polynomials(function, n, read)
     except Untraceable as error:
@@ -171,7 +172,7 @@ def _trace_casimirs(subject: Subject, read: Reader, read_as: str) -> Named:
         except InvalidInput:
             return {}
         parts = ((str(p), zip(p.exponents.tolist(), p.coefficients, strict=True)) for p in polynomials)
-        return {name: RationalPolynomial(algebra.dim, {tuple(m): c for m, c in terms}) for name, terms in parts}
+        return {name: context(algebra.dim).from_dict({tuple(m): as_fmpq(c) for m, c in terms}) for name, terms in parts}
 
 
 def _trace_integrals(subject: Subject, read: Reader) -> Named:
@@ -219,11 +220,11 @@ def _weights_by_name(judgement: Stability) -> dict[str, float]:
     return dict(zip((ENERGY, *judgement.function.names), map(float, judgement.function.weights), strict=True))
 
 
-def _compare_fields(one: tuple[RationalPolynomial, ...], other: tuple[RationalPolynomial, ...]) -> None:
+def _compare_fields(one: tuple[fmpq_mpoly, ...], other: tuple[fmpq_mpoly, ...]) -> None:
     """Refuse a field that is not that of the energy, beyond the code's own rounding of parameters."""
-    size = max((p.magnitude for p in other), default=Fraction(0))
-    off = max(((p - q).magnitude for p, q in zip(one, other, strict=True)), default=Fraction(0))
-    if off > size * Fraction(LIMITS.field_rounding):
+    size = max(map(magnitude, other), default=fmpq(0))
+    off = max((magnitude(p - q) for p, q in zip(one, other, strict=True)), default=fmpq(0))
+    if off > size * as_fmpq(LIMITS.field_rounding):
         raise InvalidInput(
             f"the field must be that of the energy; its coefficients differ by {float(off / (size or 1)):.2g} of the "
             "largest. Check `vector_field` and `energy` of the system."
@@ -233,24 +234,24 @@ def _compare_fields(one: tuple[RationalPolynomial, ...], other: tuple[RationalPo
 def _zeros_of_leaf(equations: Equations, subject: Subject) -> list[int]:
     """Return the coordinates that are zero at the point and along the leaf's tangent space."""
     brackets, n = rational_brackets(subject.system.algebra, equations.read_as), equations.size
-    moves = [poisson_field(brackets, 1, x) for x in RationalPolynomial.variables(n)]
-    return [k for k in range(n) if not equations.point[k] and not any(f[k].at(equations.point) for f in moves)]
+    moves = [poisson_field(brackets, 1, x) for x in variables(n)]
+    return [k for k in range(n) if not equations.point[k] and not any(f[k](*equations.point) for f in moves)]
 
 
-def _scale_to_turns(flow: tuple[RationalPolynomial, ...], name: str) -> tuple[RationalPolynomial, ...]:
+def _scale_to_turns(flow: tuple[fmpq_mpoly, ...], name: str) -> tuple[fmpq_mpoly, ...]:
     """Return a symmetry's field at one radian in a unit of time.
 
     Raises:
         InvalidInput: if it turns nothing, or not all at one rational rate.
     """
-    square = [x.rate(flow) for x in flow]
-    cube = [x.rate(flow) for x in square]
-    term = next(((k, m) for k, x in enumerate(flow) for m in x.terms), None)
+    square = [rate(x, flow) for x in flow]
+    cube = [rate(x, flow) for x in square]
+    term = next(((k, m) for k, x in enumerate(flow) for m in x.monoms()), None)
     if term is not None:
         k, m = term
-        rate = -cube[k].terms.get(m, Fraction(0)) / flow[k].terms[m]
-        root = Fraction(math.isqrt(max(rate.numerator, 0)), math.isqrt(rate.denominator))
-        if root and root**2 == rate and turns(scaled := tuple(x * (1 / root) for x in flow)):
+        speed = -cube[k][m] / flow[k][m]
+        root = fmpq(math.isqrt(max(int(speed.p), 0)), math.isqrt(int(speed.q)))
+        if root and root**2 == speed and turns(scaled := tuple(x / root for x in flow)):
             return scaled
     raise InvalidInput(
         f"an exact proof up to a flow needs one that turns all coordinates at one rational rate; that of {name} is "
@@ -258,7 +259,7 @@ def _scale_to_turns(flow: tuple[RationalPolynomial, ...], name: str) -> tuple[Ra
     )
 
 
-def _parallel(field: tuple[RationalPolynomial, ...], flow: tuple[RationalPolynomial, ...]) -> list[RationalPolynomial]:
+def _parallel(field: tuple[fmpq_mpoly, ...], flow: tuple[fmpq_mpoly, ...]) -> list[fmpq_mpoly]:
     """Return what vanishes where a field is parallel to another."""
     return [field[i] * flow[j] - field[j] * flow[i] for i, j in combinations(range(len(field)), 2)]
 

@@ -5,13 +5,20 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
+from flint import fmpq, fmpq_mat, fmpq_mpoly
 
-from polhode._base.rational._matrices import null_space, rank, reduce_rows, solve_near
-from polhode._base.rational._polynomials import RationalPolynomial, total
+from polhode._base.rational._matrices import matrix, null_space, reduce_rows, solve_near
+from polhode._base.rational._polynomials import (
+    coefficients_of,
+    gradient,
+    linear_form,
+    shift,
+    total,
+    variables,
+)
 from polhode.analysis._exact_functions import ExactFunctions
 from polhode.certificates._equations import quadratic_integrals
 from polhode.types import Array, Float64
@@ -28,7 +35,7 @@ class FamilyLimits(NamedTuple):
 LIMITS = FamilyLimits()
 
 
-def moves_along_equilibria(exact: ExactFunctions, z: Sequence[Fraction], directions: Float64[Array, "d n"]) -> bool:
+def moves_along_equilibria(exact: ExactFunctions, z: Sequence[fmpq], directions: Float64[Array, "d n"]) -> bool:
     """Whether each direction leads along equilibria on the leaf of an equilibrium z, by an identity of polynomials.
 
     Flows of conserved functions take equilibria to equilibria. So do all steps on the leaf if H is constant on it, and
@@ -38,80 +45,59 @@ def moves_along_equilibria(exact: ExactFunctions, z: Sequence[Fraction], directi
         return True
     n, field = len(z), exact.field
     conserved = [p for name, p in exact.conserved.items() if name != "H"]
-    flows = [[f.at(z) for f in exact.flow(p)] for p in conserved]
-    flows += [[f.at(z) for f in exact.flow(p)] for p in linear_integrals(field, n)]
+    flows = [[f(*z) for f in exact.flow(p)] for p in conserved]
+    flows += [[f(*z) for f in exact.flow(p)] for p in linear_integrals(field)]
     if _contains(flows, directions):
         return True
     if n <= LIMITS.max_quadratic_coordinates:
-        flows += [[f.at(z) for f in exact.flow(p)] for p in quadratic_integrals(field).values()]
+        flows += [[f(*z) for f in exact.flow(p)] for p in quadratic_integrals(field).values()]
         if _contains(flows, directions):
             return True
     return _leaf_is_still(exact, z) or _contains(_plane_on_leaf(exact, z), directions)
 
 
-def linear_integrals(field: Sequence[RationalPolynomial], n: int) -> list[RationalPolynomial]:
+def linear_integrals(field: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]:
     """Return a basis of the linear functions that a field keeps."""
-    monomials = sorted({m for f in field for m in f.terms})
-    x = RationalPolynomial.variables(n)
-    basis = null_space([[f.terms.get(m, Fraction(0)) for f in field] for m in monomials], n)
-    return [total(n, (c * y for c, y in zip(v, x, strict=True))) for v in basis]
+    return [linear_form(v) for v in null_space(coefficients_of(field)).tolist()]
 
 
-def _contains(vectors: Sequence[Sequence[Fraction]], directions: Float64[Array, "d n"]) -> bool:
+def _contains(vectors: Sequence[Sequence[fmpq]], directions: Float64[Array, "d n"]) -> bool:
     """Whether directions, which are known in doubles, are combinations of vectors, which are exact."""
     vectors = [v for v in vectors if any(v)]
     if not vectors:
         return False
-    rows = np.array([[float(x / max(map(abs, v))) for x in v] for v in reduce_rows(vectors, len(vectors[0]))[0]])
+    rows = np.array([[float(x / max(map(abs, v))) for x in v] for v in reduce_rows(fmpq_mat(vectors))[0]])
     left = directions - np.linalg.lstsq(rows.T, directions.T, rcond=None)[0].T @ rows
     return bool(np.abs(left).max() <= LIMITS.direction_error * np.abs(directions).max())
 
 
-def _plane_on_leaf(exact: ExactFunctions, z: Sequence[Fraction]) -> list[list[Fraction]]:
+def _plane_on_leaf(exact: ExactFunctions, z: Sequence[fmpq]) -> list[list[fmpq]]:
     """Return the directions within the leaf of the plane z + ker A, if all of that plane is at rest."""
     n = len(z)
-    around = [f.shift(z) for f in exact.field]
-    kernel = null_space([f.slope() for f in around], n)
-    s = RationalPolynomial.variables(len(kernel))
-    x = [total(len(kernel), (v[k] * s[a] for a, v in enumerate(kernel))) for k in range(n)]
-    if not kernel or any(_substitute(f, x) for f in around):
+    kernel = null_space(matrix([gradient(f, z) for f in exact.field], n))
+    d = kernel.nrows()
+    s = variables(d)
+    x = [total(d, (kernel[a, k] * s[a] for a in range(d))) for k in range(n)]
+    if not d or any(shift(f, z).compose(*x) for f in exact.field):
         return []
-    slopes = [slope for p in exact.casimirs.values() if any(slope := p.shift(z, 1).slope())]
-    inside = [[sum((a * b for a, b in zip(slope, v, strict=True)), Fraction(0)) for v in kernel] for slope in slopes]
-    if rank(inside) < rank(slopes):
+    slopes = matrix([gradient(p, z) for p in exact.casimirs.values()], n)
+    inside = slopes * kernel.transpose()
+    if inside.rank() < slopes.rank():
         return []  # the plane touches the leaf: where they meet need not be smooth
-    return [[sum((c * v[k] for c, v in zip(row, kernel, strict=True)), Fraction(0)) for k in range(n)]
-            for row in null_space(inside, len(kernel))]
+    return (null_space(inside) * kernel).tolist()
 
 
-def _substitute(p: RationalPolynomial, x: Sequence[RationalPolynomial]) -> RationalPolynomial:
-    parts = []
-    for m, c in p.terms.items():
-        term = x[0].constant(c)
-        for k, exponent in enumerate(m):
-            term = term * x[k] ** exponent if exponent else term
-        parts.append(term)
-    return total(x[0].size, parts)
-
-
-def _leaf_is_still(exact: ExactFunctions, z: Sequence[Fraction]) -> bool:
+def _leaf_is_still(exact: ExactFunctions, z: Sequence[fmpq]) -> bool:
     """Whether the field vanishes on the leaf: each component is a sum of multiples of C − C(z), the Casimirs of z."""
     n = len(z)
-    levels = [p - p.at(z) for p in exact.casimirs.values()]
+    levels = [p - p(*z) for p in exact.casimirs.values()]
     if not levels or not exact.is_regular(z):
         return False
-    highest = max(f.degree for f in exact.field)
-    if not 0 < sum(math.comb(n + highest - p.degree, n) for p in levels if p.degree <= highest) <= LIMITS.max_multiples:
+    highest = max(f.total_degree() for f in exact.field)
+    spare = [(level, highest - level.total_degree()) for level in levels if level.total_degree() <= highest]
+    if not 0 < sum(math.comb(n + degree, n) for _, degree in spare) <= LIMITS.max_multiples:
         return False
-    columns: list[RationalPolynomial] = []
-    for level in levels:
-        for degree in range(highest - level.degree + 1):
-            for chosen in itertools.combinations_with_replacement(range(n), degree):
-                product = level
-                for k in chosen:
-                    product = product * RationalPolynomial.variables(n)[k]
-                columns.append(product)
-    monomials = sorted({m for p in (*columns, *exact.field) for m in p.terms})
-    rows = [[p.terms.get(m, Fraction(0)) for p in columns] for m in monomials]
-    return all(solve_near(rows, [f.terms.get(m, Fraction(0)) for m in monomials], [Fraction(0)] * len(columns))
-               is not None for f in exact.field)
+    x = variables(n)
+    columns = [math.prod((x[k] for k in chosen), start=level) for level, most in spare for degree in range(most + 1)
+               for chosen in itertools.combinations_with_replacement(range(n), degree)]
+    return all(solve_near(coefficients_of([*columns, f]), [fmpq(0)] * len(columns)) is not None for f in exact.field)

@@ -6,15 +6,16 @@ everywhere, are then identities between coefficients, which hold or do not: no r
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
+from flint import fmpq, fmpq_mat, fmpq_mpoly
 
-from polhode._base.rational._matrices import null_space, rank, signature
-from polhode._base.rational._polynomials import RationalPolynomial
+from polhode._base.rational._matrices import as_floats, matrix, null_space, signature
+from polhode._base.rational._polynomials import gradient, half_hessian, rate
+from polhode._base.rational.numbers import as_fmpq, nearest_double
 from polhode.algebra.casimirs import rational_brackets
 from polhode.analysis._conserved import LIMITS as CONSERVATION_LIMITS
 from polhode.analysis._conserved import (
@@ -34,7 +35,7 @@ from polhode.taylor.expressions import Untraceable
 from polhode.types import Array, Float64
 
 Brackets = list[list[dict[int, Fraction]]]
-Named = dict[str, RationalPolynomial]
+Named = dict[str, fmpq_mpoly]
 
 
 class ExactFunctionLimits(NamedTuple):
@@ -62,11 +63,11 @@ class ExactFunctions(NamedTuple):
 
     brackets: Brackets
     sign: int
-    energy: RationalPolynomial
+    energy: fmpq_mpoly
     casimirs: Named
     known: Named
     given: Named
-    field: tuple[RationalPolynomial, ...]
+    field: tuple[fmpq_mpoly, ...]
 
     @property
     def still(self) -> bool:
@@ -77,38 +78,39 @@ class ExactFunctions(NamedTuple):
     def conserved(self) -> Named:
         """All that the field keeps, the energy last."""
         named = {**self.casimirs, **self.known, **self.given}
-        return {**{name: p for name, p in named.items() if not p.rate(self.field)}, "H": self.energy}
+        return {**{name: p for name, p in named.items() if not rate(p, self.field)}, "H": self.energy}
 
-    def flow(self, function: RationalPolynomial) -> tuple[RationalPolynomial, ...]:
+    def flow(self, function: fmpq_mpoly) -> tuple[fmpq_mpoly, ...]:
         """Return the Hamiltonian field (n,) of a function."""
         return poisson_field(self.brackets, self.sign, function)
 
-    def commute(self, one: RationalPolynomial, other: RationalPolynomial) -> bool:
+    def commute(self, one: fmpq_mpoly, other: fmpq_mpoly) -> bool:
         """Whether the bracket of two functions vanishes."""
-        return not one.rate(self.flow(other))
+        return not rate(one, self.flow(other))
 
-    def tensor(self, point: Sequence[Fraction]) -> list[list[Fraction]]:
+    def tensor(self, point: Sequence[fmpq]) -> fmpq_mat:
         """Return π (n, n) at a point, as the field of x_j is its j-th column."""
         n = len(point)
-        return [[sum((self.sign * c * point[k] for k, c in self.brackets[i][j].items()), Fraction(0))
-                 for j in range(n)] for i in range(n)]
+        return fmpq_mat(n, n, [sum(as_fmpq(self.sign * c) * point[k] for k, c in vector.items())
+                               for row in self.brackets for vector in row])  # fmt: skip
 
     @property
     def is_compact(self) -> bool:
         """Whether the Killing form is negative on a complement of the centre, by exact signs."""
-        n, c = len(self.brackets), self.brackets
-        killing = [[sum((x * c[j][m].get(k, Fraction(0)) for k in range(n) for m, x in c[i][k].items()), Fraction(0))
-                    for j in range(n)] for i in range(n)]
-        positive, zero, _ = signature(killing)
-        moves = [[c[i][j].get(k, Fraction(0)) for i in range(n)] for j in range(n) for k in range(n)]
-        return not positive and zero == len(null_space(moves, n))
+        n = len(self.brackets)
+        moves = [fmpq_mat(n, n, [as_fmpq(vector.get(k, 0)) for vector in row for k in range(n)])
+                 for row in self.brackets]  # [e_i, e_j] is the j-th row of the i-th
+        traces = [sum((a * b)[k, k] for k in range(n)) for a in moves for b in moves]
+        positive, zero, _ = signature(fmpq_mat(n, n, traces))
+        centre = null_space(fmpq_mat([a.entries() for a in moves]).transpose())
+        return not positive and zero == centre.nrows()
 
-    def is_regular(self, point: Sequence[Fraction]) -> bool:
+    def is_regular(self, point: Sequence[fmpq]) -> bool:
         """Whether the leaf of a point is as large as those around."""
         n = len(point)
         rng = np.random.default_rng(0)
-        around = [[Fraction(int(x)) for x in rng.integers(-999, 999, n)] for _ in range(2)]
-        return rank(self.tensor(point)) == max(rank(self.tensor(x)) for x in around)
+        around = [[fmpq(int(x)) for x in rng.integers(-999, 999, n)] for _ in range(2)]
+        return self.tensor(point).rank() == max(self.tensor(x).rank() for x in around)
 
 
 def exact_functions(
@@ -140,7 +142,7 @@ def exact_functions(
     )
 
 
-def _trace(source: Source, n: int) -> list[RationalPolynomial]:
+def _trace(source: Source, n: int) -> list[fmpq_mpoly]:
     return trace_polynomials(source, n, Fraction, LIMITS.max_products)
 
 
@@ -148,33 +150,22 @@ def _trace(source: Source, n: int) -> list[RationalPolynomial]:
 
 
 def polynomial_derivatives(
-    polynomials: Sequence[RationalPolynomial], z: Float64[Array, "n"], around: Float64[Array, "m n"]
+    polynomials: Sequence[fmpq_mpoly], z: Float64[Array, "n"], around: Float64[Array, "m n"]
 ) -> Derivatives:
     """Return what ``derivatives`` does: at z from exact ones, rounded at the end; at samples in doubles."""
-    point, n, k = [Fraction(float(x)) for x in z], z.size, len(polynomials)
-    moved = [p.shift(point, 2) for p in polynomials]
-    slopes = np.array([[as_double(x) for x in p.slope()] for p in moved]).reshape(k, n)
-    halves = np.array([[[as_double(x) for x in row] for row in p.quadratic()] for p in moved]).reshape(k, n, n)
+    point, n, k = [as_fmpq(float(x)) for x in z], z.size, len(polynomials)
+    slopes = as_floats(matrix([gradient(p, point) for p in polynomials], n))
+    halves = np.array([as_floats(half_hessian(p, point)) for p in polynomials]).reshape(k, n, n)
     gradients = np.array([[_evaluate(p.derivative(i), around) for i in range(n)] for p in polynomials])
     # exact as the entries are, what is made of them in doubles is not: the same thresholds hold
     return Derivatives(slopes, 2.0 * halves, gradients.reshape(k, n, len(around)).transpose(2, 0, 1),
                        np.full(k, CONSERVATION_LIMITS.derivative_error), np.zeros(k))
 
 
-def as_double(x: Fraction) -> float:
-    """Return the nearest double, an infinity beyond the largest."""
-    try:
-        return float(x)
-    except OverflowError:
-        return math.inf if x > 0 else -math.inf
-
-
-def _evaluate(p: RationalPolynomial, points: Float64[Array, "m n"]) -> Float64[Array, "m"]:
-    if not p:
-        return np.zeros(len(points))
-    exponents = np.array(list(p.terms))
+def _evaluate(p: fmpq_mpoly, points: Float64[Array, "m n"]) -> Float64[Array, "m"]:
+    exponents = np.array(p.monoms(), int).reshape(-1, points.shape[1])
     with np.errstate(over="ignore", invalid="ignore"):
-        return np.prod(points[:, None, :] ** exponents, axis=2) @ np.array([as_double(c) for c in p.terms.values()])
+        return np.prod(points[:, None, :] ** exponents, axis=2) @ np.array([nearest_double(c) for c in p.coeffs()])
 
 
 def refuse_inexact(exact: ExactFunctions, casimirs_given: bool) -> None:
@@ -185,7 +176,7 @@ def refuse_inexact(exact: ExactFunctions, casimirs_given: bool) -> None:
     """
     remedy = "Give equal numbers where they are meant to be equal; a function that is nearly conserved proves nothing."
     for name, p in exact.given.items():
-        if left := p.rate(exact.field):
+        if left := rate(p, exact.field):
             raise InvalidInput(f"{{{name}, H}} must vanish; in exact arithmetic it does not, and the largest "
                                f"coefficient of what is left is {_largest(left):.3g}. {remedy}")
     for k, p in enumerate(exact.casimirs.values()) if casimirs_given else ():
@@ -195,5 +186,5 @@ def refuse_inexact(exact: ExactFunctions, casimirs_given: bool) -> None:
                                f"{remedy}")
 
 
-def _largest(p: RationalPolynomial) -> float:
-    return float(max(map(abs, p.terms.values())))
+def _largest(p: fmpq_mpoly) -> float:
+    return float(max(map(abs, p.coeffs())))

@@ -12,18 +12,17 @@ from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
+from flint import fmpq_mat
 
 from polhode._base.rational._matrices import (
-    Rows,
-    characteristic_polynomial,
+    as_floats,
     combine,
-    multiply,
+    matrix,
     null_space,
-    rank,
     reduce_rows,
     signature,
-    transpose,
 )
+from polhode._base.rational._polynomials import half_hessian
 from polhode._base.rational._univariate import largest_real_part
 from polhode.analysis._conserved_function import ConservedFunction
 from polhode.analysis._equilibrium_data import Problem
@@ -39,12 +38,11 @@ from polhode.analysis._reasons import (
     SteadyDrift,
 )
 from polhode.analysis.energy_casimir import Stability, growing_direction, steady_drift
-from polhode.certificates._confinement import Confinement, as_floats, find_confinement, restrict
+from polhode.certificates._confinement import Confinement, find_confinement, restrict
 from polhode.certificates._equations import ENERGY, Equations, rational_equilibrium
 from polhode.errors import InvalidInput
 from polhode.types import Complex128, Float64
 
-Exact = list[Fraction]
 BY_EQUALITY = SteadyDrift, DefiniteOnLeaf, LeafIsPoint  # reasons that rest on numbers being equal, or ranks
 
 
@@ -64,7 +62,7 @@ def decide_exactly(numerical: Stability, p: Problem) -> Stability:
     if proof := find_confinement(equations, _hint(numerical)):
         return _stable(numerical, equations, proof)
     here = _Leaf(equations, p.exact)
-    if rate := largest_real_part(characteristic_polynomial(here.flow)) if here.flow else 0.0:
+    if rate := largest_real_part(here.flow.charpoly()):
         direction = growing_direction(as_floats(here.flow)) @ as_floats(here.basis)
         direction = direction / np.linalg.norm(direction)
         return Stability("unstable", rate, "exponential", direction, ExponentialGrowth(rate, direction),
@@ -98,36 +96,35 @@ class _Leaf:
     def __init__(self, equations: Equations, exact: ExactFunctions) -> None:
         self.equations, self.exact, self.point = equations, exact, equations.point
         self.names = [*(name for name, p in equations.conserved.items() if name != ENERGY
-                        and not any(f.at(self.point) for f in exact.flow(p))), ENERGY]  # fmt: skip
-        slopes = [slope for name in self.names if any(slope := equations.slopes[name])]
-        self.basis: Rows = null_space(slopes, equations.size)
+                        and not any(f(*self.point) for f in exact.flow(p))), ENERGY]  # fmt: skip
+        self.basis = null_space(matrix([equations.slopes[name] for name in self.names], equations.size))
 
     @cached_property
-    def flow(self) -> Rows:
+    def flow(self) -> fmpq_mat:
         """The linearised flow along the basis, whose vectors have a one each where the others have zeros."""
-        places = [max(k for k, x in enumerate(v) if x) for v in self.basis]
-        images = [[sum((a * b for a, b in zip(row, v, strict=True)), Fraction(0))
-                   for row in self.equations.linearization] for v in self.basis]
-        return transpose([[image[k] for k in places] for image in images]) if images else []
+        places = [max(k for k, x in enumerate(v) if x) for v in self.basis.tolist()]
+        images = (self.equations.linearization * self.basis.transpose()).tolist()
+        return matrix([images[k] for k in places], len(places))
 
     @cached_property
     def spectrum(self) -> Complex128[np.ndarray, "dim"]:
         """Its exponents [1/s]."""
-        return np.linalg.eigvals(as_floats(self.flow)).astype(complex) if self.flow else np.zeros(0, complex)
+        return np.linalg.eigvals(as_floats(self.flow)).astype(complex)
 
     @cached_property
-    def tensor(self) -> Rows:
+    def tensor(self) -> fmpq_mat:
         """π at the point."""
         return self.exact.tensor(self.point)
 
     @cached_property
-    def second(self) -> Rows | None:
+    def second(self) -> fmpq_mat | None:
         """½ D²F along the basis, with H in F and no freedom used; None where dH is no combination of other slopes."""
-        weights = null_space(transpose([self.equations.slopes[k] for k in self.names]), len(self.names))
-        if not weights or not weights[-1][-1] or not self.basis:
+        slopes = matrix([self.equations.slopes[k] for k in self.names], self.equations.size)
+        *_, weights = null_space(slopes.transpose()).tolist() or [[0]]
+        if not weights[-1] or not self.basis:
             return None
-        halves = [self.equations.conserved[k].shift(self.point, 2).quadratic() for k in self.names]
-        return restrict(combine(*zip(weights[-1], halves, strict=True)), self.basis)
+        halves = [half_hessian(self.equations.conserved[k], self.point) for k in self.names]
+        return restrict(combine(weights, halves), self.basis)
 
     @cached_property
     def drifts(self) -> bool:
@@ -136,27 +133,28 @@ class _Leaf:
         Directions in which a semidefinite D²F vanishes must lead along equilibria. The flow then shears where its
         square takes more to zero than itself; where the whole leaf is at rest, where it moves neighbours at all.
         """
-        if self.second is None or rank(self.tensor) != len(self.basis):
+        size = self.basis.nrows()
+        if self.second is None or self.tensor.rank() != size:
             return False
         positive, zero, negative = signature(self.second)
         if not zero or (positive and negative):
             return False
-        whole = zero == len(self.basis)
+        whole = zero == size
         flow = self.equations.linearization if whole else self.flow
-        if not (any(map(any, flow)) if whole else rank(multiply(flow, flow)) < rank(flow)):
+        if not (flow if whole else (flow * flow).rank() < flow.rank()):
             return False
-        flat = multiply(null_space(self.second, len(self.basis)), self.basis)
+        flat = null_space(self.second) * self.basis
         return moves_along_equilibria(self.exact, self.point, as_floats(flat))
 
     @cached_property
     def driver(self) -> Float64[np.ndarray, "dim"]:
         """A direction whose neighbours drift."""
-        whole = not any(map(any, self.second or []))
+        whole = not self.second
         flow = self.equations.linearization if whole else self.flow
-        candidates = null_space(multiply(flow, flow), len(flow))
-        images = as_floats(multiply(candidates, transpose(flow)))
+        candidates = null_space(flow * flow)
+        images = as_floats(candidates * flow.transpose())
         k = int(np.argmax(np.abs(images).max(axis=1)))
-        return as_floats(candidates)[k] if whole else as_floats(multiply([candidates[k]], self.basis))[0]
+        return as_floats(candidates if whole else candidates * self.basis)[k]
 
     @cached_property
     def on_tangent(self) -> tuple[int, tuple[int, int, int]]:
@@ -164,9 +162,9 @@ class _Leaf:
 
         On tangent vectors v = π ξ of an equilibrium D²F(v, w) = −ξ·A w.
         """
-        moved = multiply(self.equations.linearization, self.tensor)
-        _, places = reduce_rows(self.tensor, len(self.point))
-        return len(places), signature([[-moved[a][b] for b in places] for a in places])
+        moved = self.equations.linearization * self.tensor
+        _, places = reduce_rows(self.tensor)
+        return len(places), signature(matrix([[-moved[a, b] for b in places] for a in places], len(places)))
 
 
 def _stable(numerical: Stability, equations: Equations, proof: Confinement) -> Stability:
@@ -176,11 +174,12 @@ def _stable(numerical: Stability, equations: Equations, proof: Confinement) -> S
     sign = 1 if scale > 0 else -1
     weights = np.array([float(proof.weights.get(name, 0)) / scale for name in (ENERGY, *names)])
     squares = np.array([float(proof.squares.get(name, 0)) / scale for name in names])
-    here = [slope for slope in equations.slopes.values() if any(slope)]
-    basis = null_space(here, equations.size)
-    parts = [(w, equations.conserved[name].shift(equations.point, 2).quadratic()) for name, w in proof.weights.items()]
-    size = max((float(abs(w)) * np.abs(as_floats(half)).max() for w, half in parts), default=0.0) or 1.0
-    bends = as_floats(restrict(combine(*parts), basis)) if basis and parts else np.zeros((0, 0))
+    basis = null_space(matrix(list(equations.slopes.values()), equations.size))
+    halves = {name: half_hessian(equations.conserved[name], equations.point) for name in proof.weights}
+    size = max((float(abs(w)) * np.abs(as_floats(halves[name])).max() for name, w in proof.weights.items()),
+               default=0.0) or 1.0
+    bends = (as_floats(restrict(combine(proof.weights.values(), list(halves.values())), basis)) if basis and halves
+             else np.zeros((0, 0)))
     # all of one sign, by exact ones: rounding must not turn it
     curvatures = sign * np.maximum(np.abs(np.linalg.eigvalsh(bends)) / size, np.finfo(float).tiny)
     function = ConservedFunction(tuple(names), weights, np.sort(curvatures), 0.0, squares=squares,

@@ -53,8 +53,8 @@ class Certificate(str):
     >>> import polhode as ph
     >>> verdict = ph.stability(ph.systems.FreeRigidBody((1.0, 2.0, 3.0)), np.array([0.0, 0.0, 0.1]))
     >>> exact = verdict.certificate.as_rational("decimal")
-    >>> exact.equations.point[2], exact.equations.field[0], exact.proof.weights["|L|²"]
-    (Fraction(1, 10), −1/6 x2 x3, Fraction(-1, 6))
+    >>> exact.equations.point[2], exact.equations.field[0], exact.proof.weights["|L|²"]  # python-flint's rationals
+    (1/10, -1/6*x2*x3, -1/6)
     """
 
     found: Stability | None

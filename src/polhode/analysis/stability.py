@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any, NamedTuple
 
 import equinox as eqx
@@ -20,6 +19,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode._base.arrays import known_numbers_only
+from polhode._base.rational.numbers import as_fmpq
 from polhode.algebra._functions import Function, check_functions
 from polhode.algebra.properties import index, is_compact
 from polhode.analysis._conserved import Casimirs, Energy, Source, choose_casimirs, samples_around
@@ -377,7 +377,7 @@ def _on_equilibria(p: Problem, flow: Array, dC: Array, rate: float) -> bool:
     if not still.shape[1]:
         return False
     if p.exact is not None:
-        return moves_along_equilibria(p.exact, [Fraction(float(x)) for x in p.y], still.T)
+        return moves_along_equilibria(p.exact, list(map(as_fmpq, p.y.tolist())), still.T)
     off = 1e-3 * np.linalg.norm(p.y)
     settled = _settle(p.system, p.casimirs, jnp.asarray(p.y), jnp.asarray(p.unit), jnp.asarray(p.y + off * still.T))
     points, fields, slopes = (np.asarray(x) for x in settled)

@@ -9,25 +9,35 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
+from flint import fmpq, fmpq_mat, fmpq_mpoly
 
 from polhode._base.rational._matrices import (
-    Rows,
+    Squares,
+    as_floats,
     combine,
     identity,
-    multiply,
+    matrix,
     null_space,
     signature,
     split_into_squares,
-    transpose,
 )
-from polhode._base.rational._polynomials import RationalPolynomial, linear_form, total
+from polhode._base.rational._polynomials import (
+    half_hessian,
+    linear_form,
+    magnitude,
+    part,
+    rate,
+    shift,
+    total,
+    variables,
+)
+from polhode._base.rational.numbers import as_fmpq
 from polhode.certificates._definite import definite_combination
 from polhode.certificates._definite_exact import definite_in_pencil, is_definite
 from polhode.certificates._equations import ENERGY, Equations
 from polhode.certificates._equations import LIMITS as RATIONAL_LIMITS
-from polhode.types import Array, Float64
+from polhode.types import Array
 
-Squares = tuple[tuple[Fraction, tuple[Fraction, ...]], ...]
 GROWTHS = range(-2, 24)  # powers of two by which squares of conserved quantities are tried
 
 
@@ -54,48 +64,48 @@ class Confinement:
         slice: s ≥ 0 of the square of the direction in which a symmetry moves the point; zero without one.
     """
 
-    weights: Mapping[str, Fraction]
-    squares: Mapping[str, Fraction]
-    margin: Fraction
+    weights: Mapping[str, fmpq]
+    squares: Mapping[str, fmpq]
+    margin: fmpq
     forms: Squares
-    radius: Fraction
-    slice: Fraction = Fraction(0)
+    radius: fmpq
+    slice: fmpq = fmpq(0)
 
     verdict = "stable"
 
-    def function(self, equations: Equations) -> RationalPolynomial:
+    def function(self, equations: Equations) -> fmpq_mpoly:
         """Return G."""
         c, levels = equations.conserved, equations.levels
         parts = [w * c[name] for name, w in self.weights.items()]
         parts += [s * (c[name] - levels[name]) ** 2 for name, s in self.squares.items()]
         return total(equations.size, parts)
 
-    def raised(self, equations: Equations) -> RationalPolynomial:
+    def raised(self, equations: Equations) -> fmpq_mpoly:
         """Return G(z + v) − G(z), with the square across a symmetry's orbit."""
         g = self.function(equations)
-        moved = g.shift(equations.point) - g.at(equations.point)
+        moved = shift(g, equations.point) - g(*equations.point)
         if equations.flow:
             moved = moved + self.slice * linear_form(equations.along) ** 2
         return moved
 
-    def rest(self, equations: Equations) -> RationalPolynomial:
+    def rest(self, equations: Equations) -> fmpq_mpoly:
         """Return what is left of G(z + v) − G(z) without the margin and the squares; of third degree where it holds."""
         return self.raised(equations) - self.margin * norm(equations.size) - sum_of_squares(equations.size, self.forms)
 
     def find_faults(self, equations: Equations) -> list[str]:
         """Return what is wrong with the proof of these equations."""
         faults, raised, rest = [], self.raised(equations), self.rest(equations)
-        if self.function(equations).rate(equations.field):
+        if rate(self.function(equations), equations.field):
             faults.append("G is not conserved")
-        if equations.flow and self.function(equations).rate(equations.flow):
+        if equations.flow and rate(self.function(equations), equations.flow):
             faults.append(f"the flow of {equations.flow_name} does not keep G")
-        if raised.part(0, 1):
+        if part(raised, 0, 1):
             faults.append("G is not stationary at the point")
-        if rest.part(0, 2):
+        if part(rest, 0, 2):
             faults.append("the second variation is not the sum of squares")
         if any(d < 0 for d, _ in self.forms):
             faults.append("a square has a negative factor")
-        if not 0 < self.radius <= 1 or self.margin - rest.magnitude * self.radius <= 0:
+        if not 0 < self.radius <= 1 or self.margin - magnitude(rest) * self.radius <= 0:
             faults.append("the margin does not cover the terms of higher degree")
         return faults
 
@@ -109,12 +119,12 @@ class Confinement:
         }  # fmt: skip
 
 
-def norm(size: int) -> RationalPolynomial:
+def norm(size: int) -> fmpq_mpoly:
     """Return |v|²."""
-    return total(size, (x * x for x in RationalPolynomial.variables(size)))
+    return total(size, (x * x for x in variables(size)))
 
 
-def sum_of_squares(size: int, forms: Squares) -> RationalPolynomial:
+def sum_of_squares(size: int, forms: Squares) -> fmpq_mpoly:
     """Return Σ d (ℓ·v)²."""
     return total(size, (d * linear_form(row) ** 2 for d, row in forms))
 
@@ -132,11 +142,10 @@ def find_confinement(equations: Equations, hint: Mapping[str, float]) -> Confine
         hint: weights of what is conserved from a numerical method, by name.
     """
     names = [*(k for k in equations.conserved if k != ENERGY), *(k for k in equations.conserved if k == ENERGY)]
-    slopes = [equations.slopes[k] for k in names]
-    basis = null_space(transpose(slopes), len(names)) if names else []
-    halves = [equations.conserved[k].shift(equations.point, 2).quadratic() for k in names]
-    rows = [row for row in (*slopes, *([equations.along] if equations.flow else [])) if any(row)]
-    across = null_space(rows, equations.size)
+    n, slopes = equations.size, [equations.slopes[k] for k in names]
+    basis = null_space(matrix(slopes, n).transpose())
+    halves = [half_hessian(equations.conserved[k], equations.point) for k in names]
+    across = null_space(matrix([*slopes, *([equations.along] if equations.flow else [])], n))
     tried = set()
     for weights in _candidates(basis, names, hint, halves, across):
         if (key := tuple(weights)) not in tried:
@@ -146,32 +155,28 @@ def find_confinement(equations: Equations, hint: Mapping[str, float]) -> Confine
     return None
 
 
-def restrict(form: Rows, vectors: Rows) -> Rows:
+def restrict(form: fmpq_mat, vectors: fmpq_mat) -> fmpq_mat:
     """Return the matrix of a quadratic form on the span of vectors (d, n)."""
-    return multiply(vectors, transpose(multiply(vectors, form))) if vectors else []
-
-
-def as_floats(rows: Sequence[Sequence[Fraction]]) -> Float64[np.ndarray, "rows columns"]:
-    """Return a matrix in doubles."""
-    return np.array([[float(x) for x in row] for row in rows])
+    return vectors * form * vectors.transpose()
 
 
 def _candidates(
-    basis: Rows, names: list[str], hint: Mapping[str, float], halves: list[Rows], across: Rows
-) -> Iterator[list[Fraction]]:
+    basis: fmpq_mat, names: list[str], hint: Mapping[str, float], halves: list[fmpq_mat], across: fmpq_mat
+) -> Iterator[list[fmpq]]:
     """Yield rational weights with a stationary sum: the hinted ones, rounded to ever more digits, then others."""
     if not basis:
         return
 
-    def mix(parts: Sequence[Fraction]) -> list[Fraction]:
-        return [sum((a * v[k] for a, v in zip(parts, basis, strict=True)), Fraction(0)) for k in range(len(names))]
+    def mix(*parts: fmpq) -> list[fmpq]:
+        return (fmpq_mat([parts]) * basis).entries()
 
-    inner = [restrict(combine(*zip(v, halves, strict=True)), across) for v in basis] if across else []
-    if across and len(basis) == 1:
+    vectors = basis.tolist()
+    inner = [restrict(combine(v, halves), across) for v in vectors] if across else []
+    if across and len(vectors) == 1:
         if is_definite(inner[0]):
-            yield mix([Fraction(1)])
+            yield mix(fmpq(1))
         return
-    free = [max(k for k, x in enumerate(vector) if x) for vector in basis]
+    free = [max(k for k, x in enumerate(vector) if x) for vector in vectors]
     wanted = [np.array([hint.get(name, 0.0) for name in names])] if hint else []
     if across:
         # entries an ulp apart keep their difference: the matrices are exact until here
@@ -186,23 +191,23 @@ def _candidates(
         wanted.append(np.zeros(len(names)))
     for target in wanted:
         for d in RATIONAL_LIMITS.denominators:
-            yield mix([Fraction(float(target[k])).limit_denominator(d) for k in free])
+            yield mix(*(as_fmpq(Fraction(float(target[k])).limit_denominator(d)) for k in free))
     if len(inner) == 2 and (pair := definite_in_pencil(*inner)):
-        yield mix(pair)
+        yield mix(*pair)
 
 
 def _try_weights(
-    equations: Equations, weights: dict[str, Fraction], halves: list[Rows], across: Rows
+    equations: Equations, weights: dict[str, fmpq], halves: list[fmpq_mat], across: fmpq_mat
 ) -> Confinement | None:
-    half = combine(*((w, h) for w, h in zip(weights.values(), halves, strict=True)))
+    half = combine(weights.values(), halves)
     inner = restrict(half, across)
     if not is_definite(inner):
         return None
     sign = -1 if signature(inner)[2] else 1
     weights = {name: sign * w for name, w in weights.items() if w}
-    half = combine((sign, half))
+    half = sign * half
     rows = {name: g for name, g in equations.slopes.items() if any(g) and name != ENERGY}
-    degrees = {name: equations.conserved[name].degree for name in rows}
+    degrees = {name: equations.conserved[name].total_degree() for name in rows}
     squares, low = _grow_squares(as_floats(half), rows, equations.along)
     if low > _unsure(half):
         squares, low = _drop_squares(as_floats(half), {**rows, "": equations.along}, squares, degrees)
@@ -214,52 +219,51 @@ def _try_weights(
     if split is None:
         return None
     margin, kept = split
-    slice_ = squares.pop("", Fraction(0))
-    unbounded = Confinement(weights, squares, margin, kept, Fraction(1), slice_)
+    slice_ = squares.pop("", fmpq(0))
+    unbounded = Confinement(weights, squares, margin, kept, fmpq(1), slice_)
     return Confinement(weights, squares, margin, kept, radius_for(margin, unbounded.rest(equations)), slice_)
 
 
-def _unsure(half: Rows) -> float:
+def _unsure(half: fmpq_mat) -> float:
     """Return the size of an eigenvalue that rounding may make of zero."""
-    return len(half) * 1e-12 * float(max(abs(x) for row in half for x in row))
+    return half.nrows() * 1e-12 * float(max(map(abs, half.entries())))
 
 
-def _with_squares(half: Rows, rows: Mapping[str, Sequence[Fraction]], squares: Mapping[str, Fraction]) -> Rows:
-    return combine((1, half), *((s, _outer(rows[name])) for name, s in squares.items()))
+def _with_squares(half: fmpq_mat, rows: Mapping[str, Sequence[fmpq]], squares: Mapping[str, fmpq]) -> fmpq_mat:
+    for name, s in squares.items():
+        row = fmpq_mat([rows[name]])
+        half = half + s * (row.transpose() * row)
+    return half
 
 
 def _grow_exactly(
-    half: Rows, rows: Mapping[str, Sequence[Fraction]], along: Sequence[Fraction]
-) -> dict[str, Fraction]:
+    half: fmpq_mat, rows: Mapping[str, Sequence[fmpq]], along: Sequence[fmpq]
+) -> dict[str, fmpq]:
     """Return the first multiples of the squares of gradients that make a matrix definite by its exact signature."""
     named = {**rows, **({"": along} if any(along) else {})}
-    size = float(max(abs(x) for row in half for x in row)) or 1.0
+    size = float(max(map(abs, half.entries()))) or 1.0
     for k in range(min(GROWTHS), LIMITS.max_exact_growth):
-        squares = {name: power_of_two(size / float(sum(x * x for x in g))) * Fraction(2) ** k
+        squares = {name: power_of_two(size / float(sum(x * x for x in g))) * fmpq(2) ** k
                    for name, g in named.items()}
-        if signature(_with_squares(half, named, squares))[0] == len(half):
+        if signature(_with_squares(half, named, squares))[0] == half.nrows():
             return squares
     return {}
 
 
-def _split_with_margin(whole: Rows, low: float) -> tuple[Fraction, Squares] | None:
+def _split_with_margin(whole: fmpq_mat, low: float) -> tuple[fmpq, Squares] | None:
     """Return a margin and the squares that are left of a positive definite matrix; None of any other."""
-    n = len(whole)
+    n = whole.nrows()
     if signature(whole)[0] < n:
         return None
-    margin = power_of_two(low / 2) if low > 0 else power_of_two(float(min(whole[k][k] for k in range(n))))
-    while (forms := split_into_squares(combine((1, whole), (-margin, identity(n))))) is None:
+    margin = power_of_two(low / 2) if low > 0 else power_of_two(float(min(whole[k, k] for k in range(n))))
+    while (forms := split_into_squares(whole - margin * identity(n))) is None:
         margin /= 4
-    return margin, tuple((d, tuple(row)) for d, row in forms)
-
-
-def _outer(row: Sequence[Fraction]) -> Rows:
-    return [[x * y for y in row] for x in row]
+    return margin, forms
 
 
 def _grow_squares(
-    half: Array, rows: Mapping[str, Sequence[Fraction]], along: Sequence[Fraction]
-) -> tuple[dict[str, Fraction], float]:
+    half: Array, rows: Mapping[str, Sequence[fmpq]], along: Sequence[fmpq]
+) -> tuple[dict[str, fmpq], float]:
     """Return multiples of the squares of gradients that make a matrix definite, and its least eigenvalue then.
 
     The square of the direction of a symmetry has no name.
@@ -269,7 +273,7 @@ def _grow_squares(
         return {}, low
     size = float(np.abs(half).max()) or 1.0
     named = {**rows, **({"": along} if any(along) else {})}
-    best: tuple[dict[str, Fraction], float] = ({}, low)
+    best: tuple[dict[str, fmpq], float] = ({}, low)
     for k in GROWTHS:
         squares = {name: power_of_two(size * 2.0**k / float(sum(x * x for x in g))) for name, g in named.items()}
         low = _least(half, named, squares)
@@ -283,8 +287,8 @@ def _grow_squares(
 
 
 def _drop_squares(
-    half: Array, rows: Mapping[str, Sequence[Fraction]], squares: dict[str, Fraction], degrees: Mapping[str, int]
-) -> tuple[dict[str, Fraction], float]:
+    half: Array, rows: Mapping[str, Sequence[fmpq]], squares: dict[str, fmpq], degrees: Mapping[str, int]
+) -> tuple[dict[str, fmpq], float]:
     """Return squares without those that are hardly needed, functions of high degree first."""
     low = _least(half, rows, squares)
     enough = low / 4
@@ -295,17 +299,17 @@ def _drop_squares(
     return squares, low
 
 
-def _least(half: Array, rows: Mapping[str, Sequence[Fraction]], squares: Mapping[str, Fraction]) -> float:
+def _least(half: Array, rows: Mapping[str, Sequence[fmpq]], squares: Mapping[str, fmpq]) -> float:
     """Return the least eigenvalue of a matrix with squares of gradients added."""
-    vectors = ((float(s), as_floats([rows[name]])[0]) for name, s in squares.items())
+    vectors = ((float(s), np.array([float(x) for x in rows[name]])) for name, s in squares.items())
     return float(np.linalg.eigvalsh(half + sum((s * np.outer(v, v) for s, v in vectors), np.zeros_like(half)))[0])
 
 
-def power_of_two(value: float) -> Fraction:
+def power_of_two(value: float) -> fmpq:
     """Return the largest power of two that is not above a positive number."""
-    return Fraction(2) ** math.floor(math.log2(value))
+    return fmpq(2) ** math.floor(math.log2(value))
 
 
-def radius_for(margin: Fraction, rest: RationalPolynomial) -> Fraction:
+def radius_for(margin: fmpq, rest: fmpq_mpoly) -> fmpq:
     """Return a radius, at most one, within which half of the margin covers terms of third degree and more."""
-    return min(Fraction(1), power_of_two(float(margin / (2 * rest.magnitude)))) if rest else Fraction(1)
+    return min(fmpq(1), power_of_two(float(margin / (2 * magnitude(rest))))) if rest else fmpq(1)

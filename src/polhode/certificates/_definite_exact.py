@@ -2,65 +2,62 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from fractions import Fraction
+from collections.abc import Iterator
 from itertools import pairwise
 
 import numpy as np
+from flint import fmpq, fmpq_mat, fmpq_poly
 
-from polhode._base.rational._matrices import Rows, combine, determinant, reduce_rows, signature
-from polhode._base.rational._univariate import derivative, squarefree
+from polhode._base.rational._matrices import signature
+from polhode._base.rational._univariate import squarefree
+from polhode._base.rational.numbers import as_fmpq
 
 
-def is_definite(matrix: Sequence[Sequence[Fraction]]) -> bool:
+def is_definite(matrix: fmpq_mat) -> bool:
     """Whether all eigenvalues have one sign; so it is of a matrix without rows."""
     positive, zero, negative = signature(matrix)
     return not zero and not (positive and negative)
 
 
-def definite_in_pencil(one: Rows, two: Rows) -> tuple[Fraction, Fraction] | None:
+def definite_in_pencil(one: fmpq_mat, two: fmpq_mat) -> tuple[fmpq, fmpq] | None:
     """Return a, b with a·one + b·two definite; None exactly where there are none.
 
     Along one + s·two the signature changes at roots of the determinant alone, and between two neighbouring roots is a
     root of the derivative of the polynomial that has each of them once.
     """
     if is_definite(two):
-        return Fraction(0), Fraction(1)
+        return fmpq(0), fmpq(1)
     for s in _places(one, two):
-        if is_definite(combine((1, one), (s, two))):
-            return Fraction(1), s
+        if is_definite(one + s * two):
+            return fmpq(1), s
     return None
 
 
-def _places(one: Rows, two: Rows) -> Iterator[Fraction]:
+def _places(one: fmpq_mat, two: fmpq_mat) -> Iterator[fmpq]:
     """Yield a place between any two neighbouring roots of det(one + s·two), and some beyond all."""
     beyond = 2  # times a bound of all roots: nothing changes its sign there
-    yield Fraction(0)
+    yield fmpq(0)
     polynomial = squarefree(_determinant_along(one, two))
-    if len(polynomial) < 2:
+    if polynomial.degree() < 1:
         return
-    roots = sorted(_real_roots(derivative(polynomial)))
-    size = max(abs(c / polynomial[0]) for c in polynomial) + 1  # Cauchy's bound of all roots
+    roots = sorted(_real_roots(polynomial.derivative()))
+    size = max(map(abs, polynomial.coeffs())) / abs(polynomial.leading_coefficient()) + 1  # Cauchy's bound of all roots
     yield from (-beyond * size, *roots, *((a + b) / 2 for a, b in pairwise(roots)), beyond * size)
 
 
-def _determinant_along(one: Rows, two: Rows) -> list[Fraction]:
-    """Return the coefficients of det(one + s·two), highest power first, from its values at 0, 1, …, n."""
-    n = len(one)
-    powers = [[Fraction(s) ** k for k in range(n, -1, -1)] for s in range(n + 1)]
-    rows = [[*row, determinant(combine((1, one), (s, two)))] for s, row in enumerate(powers)]
-    reduced, pivots = reduce_rows(rows, n + 1)
-    coefficients = [Fraction(0)] * (n + 1)
-    for row, pivot in zip(reduced, pivots, strict=True):
-        coefficients[pivot] = row[-1]
-    start = next((k for k, c in enumerate(coefficients) if c), n)
-    return coefficients[start:]
+def _determinant_along(one: fmpq_mat, two: fmpq_mat) -> fmpq_poly:
+    """Return det(one + s·two) from its values at 0, 1, …, n."""
+    places = range(one.nrows() + 1)
+    powers = fmpq_mat(len(places), len(places), [s**k for s in places for k in places])
+    values = fmpq_mat(len(places), 1, [(one + s * two).det() for s in places])
+    return fmpq_poly(powers.solve(values).entries())
 
 
-def _real_roots(polynomial: Sequence[Fraction]) -> list[Fraction]:
+def _real_roots(polynomial: fmpq_poly) -> list[fmpq]:
     """Return the real roots to a double's accuracy, which is enough to lie between two others."""
-    if len(polynomial) == 2:
-        return [-polynomial[1] / polynomial[0]]
+    monic = (polynomial / polynomial.leading_coefficient()).coeffs()[::-1]
+    if len(monic) == 2:
+        return [-monic[1]]
     # of order one, so that coefficients far from it do not overflow
-    roots = np.roots([float(c / polynomial[0]) for c in polynomial]) if len(polynomial) > 2 else np.zeros(0)
-    return [Fraction(float(x.real)) for x in np.asarray(roots, complex) if abs(x.imag) <= 1e-6 * (1.0 + abs(x))]
+    roots = np.roots([float(c) for c in monic]) if len(monic) > 2 else np.zeros(0)
+    return [as_fmpq(float(x.real)) for x in np.asarray(roots, complex) if abs(x.imag) <= 1e-6 * (1.0 + abs(x))]

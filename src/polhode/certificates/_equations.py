@@ -7,11 +7,26 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations_with_replacement
+from operator import mul
 from typing import Any, NamedTuple
 
-from polhode._base.rational._matrices import Rows, combine, null_space, solve_near
-from polhode._base.rational._polynomials import RationalPolynomial, total
-from polhode._base.rational.numbers import EXACT, READINGS
+from flint import fmpq, fmpq_mat, fmpq_mpoly
+
+from polhode._base.rational._matrices import combine, matrix, null_space, solve_near
+from polhode._base.rational._polynomials import (
+    coefficients_of,
+    context,
+    gradient,
+    half_hessian,
+    part,
+    rate,
+    shift,
+    terms_of,
+    total,
+    variables,
+)
+from polhode._base.rational._terms import show_terms
+from polhode._base.rational.numbers import EXACT, READINGS, as_fmpq
 from polhode.errors import InvalidInput
 
 ENERGY = "H"
@@ -20,7 +35,7 @@ ENERGY = "H"
 class RationalLimits(NamedTuple):
     """How far, and to which fractions, points and weights may be rounded."""
 
-    max_move: Fraction = Fraction(1, 10**9)  # of the largest component of a point, to an exact equilibrium
+    max_move: fmpq = fmpq(1, 10**9)  # of the largest component of a point, to an exact equilibrium
     denominators: tuple[int, ...] = (1, 2, 4, 8, 10, 16, 32, 100, 1000, 10**4, 10**6, 10**9, 10**12, 10**15)
 
 
@@ -45,11 +60,11 @@ class Equations:
     """
 
     system: str
-    field: tuple[RationalPolynomial, ...]
-    conserved: Mapping[str, RationalPolynomial]
-    point: tuple[Fraction, ...]
-    moved: Fraction = Fraction(0)
-    flow: tuple[RationalPolynomial, ...] = ()
+    field: tuple[fmpq_mpoly, ...]
+    conserved: Mapping[str, fmpq_mpoly]
+    point: tuple[fmpq, ...]
+    moved: fmpq = fmpq(0)
+    flow: tuple[fmpq_mpoly, ...] = ()
     flow_name: str = ""
     within: str = ""
     read_as: str = EXACT
@@ -60,34 +75,34 @@ class Equations:
         return len(self.point)
 
     @cached_property
-    def around(self) -> tuple[RationalPolynomial, ...]:
+    def around(self) -> tuple[fmpq_mpoly, ...]:
         """The field in v = x − point, (n,)."""
-        return tuple(f.shift(self.point) for f in self.field)
+        return tuple(shift(f, self.point) for f in self.field)
 
     @cached_property
-    def levels(self) -> dict[str, Fraction]:
+    def levels(self) -> dict[str, fmpq]:
         """The values of what is conserved at the point."""
-        return {name: c.at(self.point) for name, c in self.conserved.items()}
+        return {name: c(*self.point) for name, c in self.conserved.items()}
 
     @cached_property
-    def slopes(self) -> dict[str, list[Fraction]]:
+    def slopes(self) -> dict[str, list[fmpq]]:
         """The gradients (n,) of what is conserved at the point."""
-        return {name: c.shift(self.point, 1).slope() for name, c in self.conserved.items()}
+        return {name: gradient(c, self.point) for name, c in self.conserved.items()}
 
     @cached_property
-    def linearization(self) -> Rows:
+    def linearization(self) -> fmpq_mat:
         """The derivative of the field at the point, (n, n)."""
-        return [f.slope() for f in self.around]
+        return matrix([gradient(f, self.point) for f in self.field], self.size)
 
     @property
-    def along(self) -> list[Fraction]:
+    def along(self) -> list[fmpq]:
         """Where the symmetry moves the point, (n,); empty without one."""
-        return [f.at(self.point) for f in self.flow]
+        return [f(*self.point) for f in self.flow]
 
     def find_faults(self) -> list[str]:
         """Return what is wrong: functions that are not conserved, and whether the point is no equilibrium."""
-        faults = [f"{name} is not conserved" for name, c in self.conserved.items() if c.rate(self.field)]
-        if not self.flow and any(f.at(self.point) for f in self.field):
+        faults = [f"{name} is not conserved" for name, c in self.conserved.items() if rate(c, self.field)]
+        if not self.flow and any(f(*self.point) for f in self.field):
             faults.append("the point is no equilibrium")
         if self.flow and not turns(self.flow):
             faults.append(f"the flow of {self.flow_name} does not turn points")
@@ -116,7 +131,7 @@ def restrict_to_zeros(equations: Equations, zeros: Sequence[int]) -> Equations:
     """
     kept = set(range(equations.size)) - set(zeros)
     left_out = set(zeros)
-    while driven := {k for k in left_out if _without(equations.field[k], left_out)}:
+    while driven := {k for k in left_out if equations.field[k].subs(dict.fromkeys(left_out, 0))}:
         left_out -= driven
         kept |= driven
     if not left_out or not kept:
@@ -125,17 +140,15 @@ def restrict_to_zeros(equations: Equations, zeros: Sequence[int]) -> Equations:
             f"{len(left_out)} of {equations.size} are. The numerical verdict holds without one."
         )
     places = sorted(kept)
-
-    def restrict(p: RationalPolynomial) -> RationalPolynomial:
-        terms = {tuple(m[k] for k in places): c for m, c in _without(p, left_out).terms.items()}
-        return RationalPolynomial(len(places), terms)
-
+    images = [context(len(places)).constant(0)] * equations.size
+    for k, x in zip(places, variables(len(places)), strict=True):
+        images[k] = x
     names = " = ".join(f"x{k + 1}" for k in sorted(left_out))
     kept_names, new_names = (", ".join(f"x{k + 1}" for k in row) for row in (places, range(len(places))))
     called = "is" if len(places) == 1 else "are"
     renamed = "" if kept_names == new_names else f", where {kept_names} {called} now {new_names}"
-    field = tuple(restrict(equations.field[k]) for k in places)
-    known = {name: r for name, c in equations.conserved.items() if (r := restrict(c)).degree}
+    field = tuple(equations.field[k].compose(*images) for k in places)
+    known = {name: c for name, p in equations.conserved.items() if not (c := p.compose(*images)).is_constant()}
     return Equations(
         equations.system, field, {**quadratic_integrals(field), **known},
         tuple(equations.point[k] for k in places), equations.moved,
@@ -143,56 +156,51 @@ def restrict_to_zeros(equations: Equations, zeros: Sequence[int]) -> Equations:
     )
 
 
-def quadratic_integrals(field: Sequence[RationalPolynomial]) -> dict[str, RationalPolynomial]:
+def quadratic_integrals(field: Sequence[fmpq_mpoly]) -> dict[str, fmpq_mpoly]:
     """Return a basis of the polynomials of at most second degree that a field keeps, without constants, by name."""
     n = len(field)
-    x = RationalPolynomial.variables(n)
+    x = variables(n)
     monomials = [*x, *(x[i] * x[j] for i, j in combinations_with_replacement(range(n), 2))]
-    rates = [m.rate(field) for m in monomials]
-    rows = [[r.terms.get(m, Fraction(0)) for r in rates] for m in sorted({m for r in rates for m in r.terms})]
-    basis = null_space(rows, len(monomials))
-    polynomials = (total(n, (c * m for c, m in zip(vector, monomials, strict=True) if c)) for vector in basis)
-    return {str(p): p for p in polynomials}
+    basis = null_space(coefficients_of([rate(m, field) for m in monomials]))
+    polynomials = (total(n, (c * m for c, m in zip(vector, monomials, strict=True) if c)) for vector in basis.tolist())
+    return {show(p): p for p in polynomials}
 
 
-def _without(p: RationalPolynomial, zeros: set[int]) -> RationalPolynomial:
-    """Return the terms that are left where some coordinates are zero."""
-    return RationalPolynomial(p.size, {m: c for m, c in p.terms.items() if not any(m[k] for k in zeros)})
-
-
-def turns(flow: Sequence[RationalPolynomial]) -> bool:
+def turns(flow: Sequence[fmpq_mpoly]) -> bool:
     """Whether a field X is linear, keeps |x|, and X³ = −X, so that its flow is x + sin a Xx + (1 − cos a) XXx."""
-    twice = [x.rate(flow) for x in flow]
-    norm = total(len(flow), (x * x for x in RationalPolynomial.variables(len(flow))))
-    return (all(x == x.part(1, 1) for x in flow) and not norm.rate(flow)
-            and all(x.rate(flow) == -y for x, y in zip(twice, flow, strict=True)))
+    twice = [rate(x, flow) for x in flow]
+    norm = total(len(flow), (x * x for x in variables(len(flow))))
+    return (all(x == part(x, 1, 1) for x in flow) and not rate(norm, flow)
+            and all(rate(x, flow) == -y for x, y in zip(twice, flow, strict=True)))
 
 
-def as_terms(p: RationalPolynomial) -> list[list[Any]]:
+def show(p: fmpq_mpoly) -> str:
+    """Return a polynomial as text that people read."""
+    return show_terms(terms_of(p))
+
+
+def as_terms(p: fmpq_mpoly) -> list[list[Any]]:
     """Return a polynomial as plain data."""
-    return [[str(c), list(m)] for m, c in p.sorted_terms()]
+    return [[str(c), list(m)] for m, c in terms_of(p)]
 
 
 def poisson_field(
-    brackets: Sequence[Sequence[Mapping[int, Fraction]]], sign: int, function: RationalPolynomial
-) -> tuple[RationalPolynomial, ...]:
+    brackets: Sequence[Sequence[Mapping[int, Fraction]]], sign: int, function: fmpq_mpoly
+) -> tuple[fmpq_mpoly, ...]:
     """Return sign · {x_i, F} (n,) of structure constants [e_i, e_j] as {k: c}."""
-    n = function.size
-    x, slopes = RationalPolynomial.variables(n), [function.derivative(j) for j in range(n)]
-    rows = []
-    for row in brackets:
-        parts = [slopes[j] * x[k] * (sign * c) for j, vector in enumerate(row) for k, c in vector.items()]
-        rows.append(total(n, parts))
-    return tuple(rows)
+    x = function.context().gens()
+    slopes = [function.derivative(j) for j in range(len(x))]
+    return tuple(total(len(x), (slopes[j] * x[k] * as_fmpq(sign * c) for j, vector in enumerate(row)
+                                for k, c in vector.items())) for row in brackets)  # fmt: skip
 
 
 def rational_equilibrium(
-    vanishing: Sequence[RationalPolynomial],
-    conserved: Mapping[str, RationalPolynomial],
+    vanishing: Sequence[fmpq_mpoly],
+    conserved: Mapping[str, fmpq_mpoly],
     weights: Mapping[str, float],
     point: Sequence[float],
     read: Callable[[float], Fraction],
-) -> tuple[tuple[Fraction, ...], Fraction]:
+) -> tuple[tuple[fmpq, ...], fmpq]:
     """Return a rational point at which all of ``vanishing`` are exactly zero, and its largest distance in a component.
 
     The point itself where it is one; else one with rounding errors of zero left out; else, as the energy and the rest
@@ -201,25 +209,30 @@ def rational_equilibrium(
     Raises:
         InvalidInput: if there is none within a billionth of the point's size.
     """
-    given = [read(x) for x in point]
-    size = max(map(abs, given), default=Fraction(0))
-    trials = [given, [x if abs(x) > size / 10**12 else Fraction(0) for x in given]]
-    trials += [[x.limit_denominator(d) for x in given] for d in LIMITS.denominators[7:10]]
+    fractions = [read(x) for x in point]
+    given = list(map(as_fmpq, fractions))
+    zeros, size = [fmpq(0)] * len(given), max(map(abs, given), default=fmpq(0))
+    trials = [given, [x if abs(x) > size / 10**12 else fmpq(0) for x in given]]
+    trials += [[as_fmpq(x.limit_denominator(d)) for x in fractions] for d in LIMITS.denominators[7:10]]
     for trial in trials:
         if accepted := _accept(trial, given, size, vanishing):
             return accepted
-    if all(c.degree <= 2 for name, c in conserved.items() if weights.get(name)):
+    if all(c.total_degree() <= 2 for name, c in conserved.items() if weights.get(name)):
         for d in LIMITS.denominators:
-            w = {name: Fraction(x).limit_denominator(d) for name, x in weights.items() if name in conserved}
-            names = [name for name, x in w.items() if x]
+            rounded = {name: as_fmpq(Fraction(x).limit_denominator(d)) for name, x in weights.items()
+                       if name in conserved}
+            names = [name for name, w in rounded.items() if w]
             if not names:
                 continue
-            matrix = combine(*((2 * w[name], conserved[name].quadratic()) for name in names))
-            right = [-sum(w[name] * conserved[name].slope()[k] for name in names) for k in range(len(given))]
-            solution = solve_near(matrix, [Fraction(x) for x in right], given)
+            w = [rounded[name] for name in names]
+            slopes = [gradient(conserved[name], zeros) for name in names]
+            halves = combine(w, [half_hessian(conserved[name], zeros) for name in names]).tolist()
+            rows = [[*(2 * x for x in row), -sum(map(mul, w, column))]
+                    for row, column in zip(halves, zip(*slopes, strict=True), strict=True)]
+            solution = solve_near(matrix(rows, len(given) + 1), given)
             if solution and (accepted := _accept(solution, given, size, vanishing)):
                 return accepted
-    residual = max((abs(float(f.at(given))) for f in vanishing), default=0.0)
+    residual = max((abs(float(f(*given))) for f in vanishing), default=0.0)
     raise InvalidInput(
         f"the point must be an equilibrium in rational numbers for a proof; there the field is {residual:.3g}, and "
         "none is within a billionth of its size. Give a point, or parameters, that solve the equations exactly."
@@ -227,9 +240,9 @@ def rational_equilibrium(
 
 
 def _accept(
-    trial: Sequence[Fraction], given: Sequence[Fraction], size: Fraction, vanishing: Sequence[RationalPolynomial]
-) -> tuple[tuple[Fraction, ...], Fraction] | None:
-    moved = max((abs(x - y) for x, y in zip(trial, given, strict=True)), default=Fraction(0))
-    if moved > LIMITS.max_move * size or any(f.at(trial) for f in vanishing):
+    trial: Sequence[fmpq], given: Sequence[fmpq], size: fmpq, vanishing: Sequence[fmpq_mpoly]
+) -> tuple[tuple[fmpq, ...], fmpq] | None:
+    moved = max((abs(x - y) for x, y in zip(trial, given, strict=True)), default=fmpq(0))
+    if moved > LIMITS.max_move * size or any(f(*trial) for f in vanishing):
         return None
     return tuple(trial), moved

@@ -16,10 +16,11 @@ from typing import Any, NamedTuple
 import jax
 import jax.numpy as jnp
 import numpy as np
+from flint import fmpq_mpoly
 
-from polhode._base.rational._polynomials import RationalPolynomial
+from polhode._base.rational._polynomials import context
 from polhode._base.rational._polynomials import total as sum_polynomials
-from polhode._base.rational.numbers import read_number
+from polhode._base.rational.numbers import as_fmpq, as_fraction, read_number
 from polhode.taylor.expressions import Complex, Expression, Tape, Untraceable
 from polhode.taylor.operations import Operation
 from polhode.taylor.structure import Structure, split_numbers
@@ -45,7 +46,7 @@ class Unaffordable(Untraceable):
 
 def trace_polynomials(
     function: Callable[[Array], Array], size: int, read: Reader = read_number, most_products: int = LIMITS.max_products
-) -> list[RationalPolynomial]:
+) -> list[fmpq_mpoly]:
     """Return the components of a function of points (size,), real, as polynomials.
 
     Args:
@@ -97,32 +98,33 @@ class ExactTape(Tape):
 
     def __init__(self, size: int, read: Reader, most_products: int) -> None:
         super().__init__(size)
+        self.context = context(size)
         self.read, self.most_products, self.products = read, most_products, 0
 
-    def multiply_out(self, a: RationalPolynomial, b: RationalPolynomial) -> RationalPolynomial:
+    def multiply_out(self, a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
         """Return a product, if there is enough left of the products of terms.
 
         Raises:
             Unaffordable: where there is not.
         """
-        self.products += len(a.terms) * len(b.terms)
+        self.products += len(a) * len(b)
         if self.products > self.most_products:
             raise Unaffordable(f"brackets with more than {self.most_products:,} products of terms to multiply out")
         return a * b
 
     def state(self) -> list[Expression]:
-        return [ExactExpression(self, p) for p in RationalPolynomial.variables(self.size)]
+        return [ExactExpression(self, x) for x in self.context.gens()]
 
     def constant(self, value: Any) -> ExactExpression:
         number = value if isinstance(value, Fraction) else self._read(value)
-        return ExactExpression(self, RationalPolynomial(self.size, {(0,) * self.size: number}))
+        return ExactExpression(self, self.context.constant(as_fmpq(number)))
 
     def _read(self, value: Any) -> Fraction:
         if not math.isfinite(float(value)):
             raise Untraceable(f"the number {float(value)}")
         return self.read(float(value))
 
-    def as_polynomial(self, x: Any) -> RationalPolynomial:
+    def as_polynomial(self, x: Any) -> fmpq_mpoly:
         """Return a value as a polynomial."""
         if isinstance(x, Complex):
             if self.as_polynomial(x.imag):
@@ -158,19 +160,26 @@ class ExactExpression(Expression):
 
     __slots__ = ("polynomial",)
 
-    def __init__(self, tape: ExactTape, polynomial: RationalPolynomial) -> None:
-        # terms are by monomials here, where others have nodes, and exact
+    def __init__(self, tape: ExactTape, polynomial: fmpq_mpoly) -> None:
         self.tape, self.polynomial = tape, polynomial
-        self.terms: Any = polynomial.part(1).terms
-        self.constant: Any = polynomial.terms.get((0,) * polynomial.size, Fraction(0))
 
-    def _of(self, polynomial: RationalPolynomial) -> ExactExpression:
+    @property
+    def terms(self) -> Any:
+        """What moves: terms are by monomials here, where others have nodes, and exact."""
+        return {} if self.polynomial.is_constant() else self.polynomial.to_dict()
+
+    @property
+    def constant(self) -> Any:
+        """The term without a variable."""
+        return as_fraction(self.polynomial[(0,) * self.tape.size])
+
+    def _of(self, polynomial: fmpq_mpoly) -> ExactExpression:
         return ExactExpression(self.tape, polynomial)  # type: ignore[arg-type]
 
-    def _polynomial(self, other: Any) -> RationalPolynomial:
+    def _polynomial(self, other: Any) -> fmpq_mpoly:
         return self.tape.as_polynomial(other)  # type: ignore[attr-defined]
 
-    def _times(self, other: RationalPolynomial) -> RationalPolynomial:
+    def _times(self, other: fmpq_mpoly) -> fmpq_mpoly:
         return self.tape.multiply_out(self.polynomial, other)  # type: ignore[attr-defined]
 
     def scale(self, factor: Any) -> ExactExpression:
@@ -197,9 +206,9 @@ class ExactExpression(Expression):
         if isinstance(other, Complex | complex):
             return Complex.of(self) / other
         divisor = self._polynomial(other)
-        if divisor.part(1) or not divisor:
+        if not divisor.is_constant() or not divisor:
             raise Untraceable("division by something that moves")
-        return self._of(self.polynomial * (1 / next(iter(divisor.terms.values()))))
+        return self._of(self.polynomial / divisor.leading_coefficient())
 
     def __rtruediv__(self, other: Any) -> Any:
         return self._of(self._polynomial(other)) / self
@@ -207,7 +216,7 @@ class ExactExpression(Expression):
     def __pow__(self, exponent: float) -> ExactExpression:
         whole = int(exponent) if float(exponent).is_integer() else None
         if whole is not None and whole >= 0:
-            power = self._of(self.polynomial.constant(1))
+            power = self._of(self.polynomial**0)
             for _ in range(whole):
                 power = self._of(power._times(self.polynomial))
             return power
@@ -216,6 +225,6 @@ class ExactExpression(Expression):
         if not self.constant:
             raise Untraceable("a power of zero that is not finite")
         if whole is not None:
-            return self.tape.constant(Fraction(self.constant) ** whole)  # type: ignore[return-value]
+            return self.tape.constant(self.constant**whole)  # type: ignore[return-value]
         # a root of parameters is a number that the code rounds, and is taken as it is rounded there
         return self.tape.constant(float(self.constant) ** float(exponent))  # type: ignore[return-value]

@@ -1,180 +1,96 @@
-"""Polynomials with rational coefficients in several variables: sums, products, derivatives, shifts of the origin."""
+"""What python-flint's polynomials over the rationals lack: a context, parts, rates, shifts, derivatives at a point.
+
+Their context orders terms by degree, the highest first, and within one by exponents.
+"""
 
 from __future__ import annotations
 
-import math
-from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
-from fractions import Fraction
+import copyreg
+from collections.abc import Iterable, Sequence
 
-from polhode._base.rational._terms import Exponents, multiply_terms
+from flint import Ordering, fmpq, fmpq_mat, fmpq_mpoly, fmpq_mpoly_ctx
 
-SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+from polhode._base.rational._terms import Exponents
 
-
-class RationalPolynomial:
-    """Σ c_m Π x_i^{m_i}, exact; terms of any degrees.
-
-    Args:
-        size: how many variables there are.
-        terms: coefficients by exponents; zeros are left out.
-
-    >>> x, y = RationalPolynomial.variables(2)
-    >>> str((x + 2 * y) * x - 3), (x * y).rate([y, x])
-    ('x1² + 2 x1 x2 − 3', x1² + x2²)
-    """
-
-    __slots__ = ("size", "terms")
-
-    def __init__(self, size: int, terms: Mapping[Exponents, Fraction | int] | None = None) -> None:
-        self.size = size
-        self.terms = {m: Fraction(c) for m, c in (terms or {}).items() if c}
-
-    @staticmethod
-    def variables(size: int) -> list[RationalPolynomial]:
-        """Return x_1, …, x_n."""
-        return [RationalPolynomial(size, {_unit(size, k): 1}) for k in range(size)]
-
-    def constant(self, value: Fraction | int) -> RationalPolynomial:
-        """Return a number as a polynomial in these variables."""
-        return RationalPolynomial(self.size, {(0,) * self.size: value})
-
-    def _like(self, other: RationalPolynomial | Fraction | int) -> RationalPolynomial:
-        return other if isinstance(other, RationalPolynomial) else self.constant(other)
-
-    def __add__(self, other: RationalPolynomial | Fraction | int) -> RationalPolynomial:
-        return total(self.size, (self, self._like(other)))
-
-    __radd__ = __add__
-
-    def __neg__(self) -> RationalPolynomial:
-        return self * -1
-
-    def __sub__(self, other: RationalPolynomial | Fraction | int) -> RationalPolynomial:
-        return self + self._like(other) * -1
-
-    def __mul__(self, other: RationalPolynomial | Fraction | int) -> RationalPolynomial:
-        if not isinstance(other, RationalPolynomial):
-            return RationalPolynomial(self.size, {m: c * other for m, c in self.terms.items()})
-        return RationalPolynomial(self.size, multiply_terms(self.terms, other.terms))
-
-    __rmul__ = __mul__
-
-    def __pow__(self, exponent: int) -> RationalPolynomial:
-        result = self.constant(1)
-        for _ in range(exponent):
-            result = result * self
-        return result
-
-    def __bool__(self) -> bool:
-        return bool(self.terms)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, RationalPolynomial) and self.size == other.size and self.terms == other.terms
-
-    def __hash__(self) -> int:
-        return hash((self.size, frozenset(self.terms.items())))
-
-    @property
-    def degree(self) -> int:
-        """The highest degree of a term; zero for a constant."""
-        return max(map(sum, self.terms), default=0)
-
-    @property
-    def magnitude(self) -> Fraction:
-        """The sum of the sizes of all coefficients."""
-        return sum((abs(c) for c in self.terms.values()), Fraction(0))
-
-    def part(self, lowest: int, highest: int | None = None) -> RationalPolynomial:
-        """Return the terms of degrees from lowest to highest, or of all degrees above."""
-        top = self.degree if highest is None else highest
-        return RationalPolynomial(self.size, {m: c for m, c in self.terms.items() if lowest <= sum(m) <= top})
-
-    def derivative(self, k: int) -> RationalPolynomial:
-        """Return ∂/∂x_k, counted from 0."""
-        lowered = {(*m[:k], m[k] - 1, *m[k + 1 :]): m[k] * c for m, c in self.terms.items() if m[k]}
-        return RationalPolynomial(self.size, lowered)
-
-    def rate(self, field: Sequence[RationalPolynomial]) -> RationalPolynomial:
-        """Return the rate of change along a field, Σ f_k ∂/∂x_k."""
-        return total(self.size, (f * self.derivative(k) for k, f in enumerate(field)))
-
-    def shift(self, point: Sequence[Fraction], highest: int | None = None) -> RationalPolynomial:
-        """Return the polynomial of v whose value is that of this one at point + v; without terms above a degree.
-
-        One coordinate after the other, (z + v)^m = Σ C(m, j) z^(m−j) v^j: the power of a sum of coordinates, whose
-        terms times each other would be millions, takes thousands.
-        """
-        terms, most = dict(self.terms), self.degree if highest is None else highest
-        for k, z in enumerate(point):
-            moved: dict[Exponents, Fraction] = defaultdict(Fraction)
-            powers = [Fraction(1)]
-            for m, c in terms.items():
-                while len(powers) <= m[k]:
-                    powers.append(powers[-1] * z)
-                before = sum(m[:k])
-                for j in range(m[k] if not z else 0, min(m[k], most - before) + 1):
-                    moved[(*m[:k], j, *m[k + 1 :])] += math.comb(m[k], j) * c * powers[m[k] - j]
-            terms = moved
-        return RationalPolynomial(self.size, terms)
-
-    def at(self, point: Sequence[Fraction]) -> Fraction:
-        """Return the value at a point."""
-        value = Fraction(0)
-        for m, c in self.terms.items():
-            for x, exponent in zip(point, m, strict=True):
-                c *= x**exponent
-            value += c
-        return value
-
-    def slope(self) -> list[Fraction]:
-        """Return the coefficients of x_1, …, x_n."""
-        return [self.terms.get(_unit(self.size, k), Fraction(0)) for k in range(self.size)]
-
-    def quadratic(self) -> list[list[Fraction]]:
-        """Return the symmetric matrix of the terms of degree two, with xᵀMx their sum."""
-        rows = []
-        for i in range(self.size):
-            pairs = (tuple(map(sum, zip(_unit(self.size, i), _unit(self.size, j), strict=True)))
-                     for j in range(self.size))
-            rows.append([self.terms.get(m, Fraction(0)) / (1 if i == j else 2) for j, m in enumerate(pairs)])
-        return rows
-
-    def sorted_terms(self) -> list[tuple[Exponents, Fraction]]:
-        """Return the terms, highest degree first."""
-        return sorted(self.terms.items(), key=lambda pair: (-sum(pair[0]), tuple(-e for e in pair[0])))
-
-    def __str__(self) -> str:
-        text = ""
-        for m, c in self.sorted_terms():
-            factors = [f"x{k + 1}" + (str(e).translate(SUPERSCRIPTS) if e > 1 else "") for k, e in enumerate(m) if e]
-            size = [] if abs(c) == 1 and factors else [str(abs(c))]
-            sign = ("" if c > 0 else "−") if not text else (" + " if c > 0 else " − ")
-            text += sign + " ".join(size + factors)
-        return text or "0"
-
-    __repr__ = __str__
+Field = Sequence[fmpq_mpoly]
 
 
-def total(size: int, parts: Iterable[RationalPolynomial]) -> RationalPolynomial:
-    """Return the sum of polynomials in ``size`` variables."""
-    terms: dict[Exponents, Fraction] = defaultdict(Fraction)
-    for p in parts:
-        for m, c in p.terms.items():
-            terms[m] += c
-    return RationalPolynomial(size, terms)
+def context(size: int) -> fmpq_mpoly_ctx:
+    """Return where polynomials in x_1, …, x_n live."""
+    return fmpq_mpoly_ctx.get([f"x{k + 1}" for k in range(size)], Ordering.deglex)
 
 
-def linear_form(row: Sequence[Fraction]) -> RationalPolynomial:
+def variables(size: int) -> tuple[fmpq_mpoly, ...]:
+    """Return x_1, …, x_n."""
+    return context(size).gens()
+
+
+def total(size: int, parts: Iterable[fmpq_mpoly]) -> fmpq_mpoly:
+    """Return the sum of polynomials in ``size`` variables, of which there may be none."""
+    return sum(parts, context(size).constant(0))
+
+
+def terms_of(p: fmpq_mpoly) -> list[tuple[Exponents, fmpq]]:
+    """Return exponents, as whole numbers of Python, and coefficients, highest degree first."""
+    return [(tuple(map(int, m)), c) for m, c in p.terms()]
+
+
+def part(p: fmpq_mpoly, lowest: int, highest: int | None = None) -> fmpq_mpoly:
+    """Return the terms of degrees from lowest to highest, or of all degrees above."""
+    return p.context().from_dict({m: c for m, c in p.terms()
+                                  if lowest <= sum(m) and (highest is None or sum(m) <= highest)})  # fmt: skip
+
+
+def magnitude(p: fmpq_mpoly) -> fmpq:
+    """Return the sum of the sizes of all coefficients."""
+    return sum(map(abs, p.coeffs()), fmpq(0))
+
+
+def rate(p: fmpq_mpoly, field: Field) -> fmpq_mpoly:
+    """Return the rate of change along a field, Σ f_k ∂p/∂x_k."""
+    return total(len(field), (f * p.derivative(k) for k, f in enumerate(field)))
+
+
+def shift(p: fmpq_mpoly, point: Sequence[fmpq]) -> fmpq_mpoly:
+    """Return the polynomial of v whose value is that of p at point + v."""
+    return p.compose(*(x + z for x, z in zip(variables(len(point)), point, strict=True)))
+
+
+def gradient(p: fmpq_mpoly, point: Sequence[fmpq]) -> list[fmpq]:
+    """Return ∂p/∂x_k (n,) at a point."""
+    return [p.derivative(k)(*point) for k in range(len(point))]
+
+
+def half_hessian(p: fmpq_mpoly, point: Sequence[fmpq]) -> fmpq_mat:
+    """Return the symmetric matrix M (n, n) of the terms vᵀMv of second degree at point + v."""
+    n = len(point)
+    rows = [gradient(p.derivative(k), point) for k in range(n)]
+    return fmpq_mat(n, n, [x / 2 for row in rows for x in row])
+
+
+def linear_form(row: Sequence[fmpq]) -> fmpq_mpoly:
     """Return Σ row_k x_k."""
-    return RationalPolynomial(len(row), {_unit(len(row), k): c for k, c in enumerate(row)})
+    return total(len(row), (c * x for c, x in zip(row, variables(len(row)), strict=True)))
 
 
-def quadratic_form(matrix: Sequence[Sequence[Fraction]]) -> RationalPolynomial:
+def quadratic_form(matrix: Sequence[Sequence[fmpq]]) -> fmpq_mpoly:
     """Return xᵀMx."""
-    x = RationalPolynomial.variables(len(matrix))
+    x = variables(len(matrix))
     return total(len(matrix), (x[i] * linear_form(row) for i, row in enumerate(matrix)))
 
 
-def _unit(size: int, k: int) -> Exponents:
-    return tuple(int(i == k) for i in range(size))
+def coefficients_of(polynomials: Sequence[fmpq_mpoly]) -> fmpq_mat:
+    """Return the matrix whose columns are the coefficients of polynomials, by any monomial that one of them has."""
+    place = {m: i for i, m in enumerate({m for p in polynomials for m in p.monoms()})}
+    a = fmpq_mat(len(place), len(polynomials))
+    for j, p in enumerate(polynomials):
+        for m, c in p.terms():
+            a[place[m], j] = c
+    return a
+
+
+def _rebuild(size: int, terms: dict[Exponents, fmpq]) -> fmpq_mpoly:
+    return context(size).from_dict(terms)
+
+
+copyreg.pickle(fmpq_mpoly, lambda p: (_rebuild, (p.context().nvars(), dict(terms_of(p)))))  # as flint does for numbers

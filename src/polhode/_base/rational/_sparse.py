@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
-from fractions import Fraction
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode._base.extras import needing
-from polhode._base.rational._terms import Terms
 from polhode.errors import InvalidInput
 
 REMEDY = "Lower the degree; `stability` takes Casimirs that are known otherwise by `casimirs=`."
+Rational = Any
+"""A rational of python-flint."""
+SparseRow = dict[int, Rational]
 
 
 class SolvingLimits(NamedTuple):
@@ -25,47 +25,45 @@ class SolvingLimits(NamedTuple):
 LIMITS = SolvingLimits()
 
 
-def null_space(rows: list[dict[int, Fraction]], columns: int) -> list[dict[int, Fraction]]:
-    """Return the null space of a sparse rational matrix, reduced: each vector has a column of its own."""
-    pivots, reduced = _reduce_rows(rows, columns)
-    free = [c for c in range(columns) if c not in set(pivots)]
-    vectors = []
-    for c in free:
-        # one free unknown is 1 and the others are 0; the reduced rows give the pivots
-        vector = {c: Fraction(1)}
-        for pivot, row in zip(pivots, reduced, strict=True):
-            if c in row:
-                vector[pivot] = -row[c]
-        vectors.append(vector)
-    return vectors
-
-
-def _reduce_rows(rows: list[dict[int, Fraction]], columns: int) -> tuple[list[int], list[dict[int, Fraction]]]:
-    """Return pivots and rows of the reduced echelon form, block by block.
+def null_space(rows: list[SparseRow], columns: int) -> list[SparseRow]:
+    """Return the null space of a sparse rational matrix, reduced: each vector has a column of its own.
 
     Raises:
-        InvalidInput: for a block too large, before any is reduced, or without python-flint.
+        InvalidInput: for a block too large, before any is reduced.
     """
+    vectors = {c: {c: 1} for c in range(columns)}
+    pivots = _reduce_rows(rows, columns)
+    for pivot, _ in pivots:
+        del vectors[pivot]
+    for pivot, row in pivots:
+        # one free unknown is 1 and the others are 0; the reduced rows give the pivots
+        for c, value in row.items():
+            if c != pivot:
+                vectors[c][pivot] = -value
+    return list(vectors.values())
+
+
+def _reduce_rows(rows: list[SparseRow], columns: int) -> list[tuple[int, SparseRow]]:
+    """Return pivots and rows of the reduced echelon form, which is found block by block."""
     if not rows:
-        return [], []
-    with needing("Exact Casimirs and integrals need"):
-        from flint import fmpq, fmpq_mat
-    pairs: list[tuple[int, dict[int, Fraction]]] = []
+        return []
+    from flint import fmpq_mat
+
+    pairs: list[tuple[int, SparseRow]] = []
     for block, unknowns in _blocks(rows, columns):
         matrix = fmpq_mat(len(block), len(unknowns))
         place = {c: n for n, c in enumerate(unknowns)}
         for i, row in enumerate(block):
             for c, value in row.items():
-                matrix[i, place[c]] = fmpq(value.numerator, value.denominator)
+                matrix[i, place[c]] = value
         echelon, rank = matrix.rref()
         for i in range(rank):
-            row = {c: Fraction(int(v.p), int(v.q)) for n, c in enumerate(unknowns) if (v := echelon[i, n]) != 0}
+            row = {c: v for n, c in enumerate(unknowns) if (v := echelon[i, n])}
             pairs.append((min(row), row))
-    pairs.sort(key=lambda pair: pair[0])
-    return [pivot for pivot, _ in pairs], [row for _, row in pairs]
+    return sorted(pairs)
 
 
-def _blocks(rows: list[dict[int, Fraction]], columns: int) -> Iterator[tuple[list[dict[int, Fraction]], list[int]]]:
+def _blocks(rows: list[SparseRow], columns: int) -> list[tuple[list[SparseRow], list[int]]]:
     """Return the rows that share unknowns with each other, and these unknowns in order.
 
     Exact elimination goes with the cube of its size, so that blocks take a hundredth of the whole; and between two of
@@ -78,7 +76,7 @@ def _blocks(rows: list[dict[int, Fraction]], columns: int) -> Iterator[tuple[lis
     size = len(rows) + columns
     links = coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1] + len(rows))), shape=(size, size))
     _, labels = connected_components(links, directed=False)
-    together: dict[int, tuple[list[dict[int, Fraction]], list[int]]] = defaultdict(lambda: ([], []))
+    together: dict[int, tuple[list[SparseRow], list[int]]] = defaultdict(lambda: ([], []))
     for row, label in zip(rows, labels, strict=False):
         together[label][0].append(row)
     for column, label in enumerate(labels[len(rows) :]):
@@ -91,17 +89,28 @@ def _blocks(rows: list[dict[int, Fraction]], columns: int) -> Iterator[tuple[lis
             f"exact linear algebra would take {equations} equations for {unknown} unknowns at once, and at most "
             f"{LIMITS.max_work:.0e} rows × columns² are solved here, which is some seconds. {REMEDY}"
         )
-    yield from blocks
+    return blocks
 
 
-def new_terms(invariants: list[Terms], products: list[Terms]) -> list[Terms]:
+def rows_of(polynomials: Sequence[Any]) -> list[SparseRow]:
+    """Return the matrix whose columns are polynomials and whose rows are monomials, which any of them has."""
+    rows: dict[tuple[Any, ...], SparseRow] = defaultdict(dict)
+    for column, p in enumerate(polynomials):
+        for m, c in p.terms():
+            rows[m][column] = c
+    return list(rows.values())
+
+
+def choose_independent(invariants: list[Any], products: list[Any]) -> list[Any]:
     """Return those invariants that are needed in addition to the products to span all."""
-    monomials = sorted({m for terms in (*invariants, *products) for m in terms}, reverse=True)
-    place = {m: n for n, m in enumerate(monomials)}
-    columns = [{place[m]: v for m, v in terms.items()} for terms in (*products, *sorted(invariants, key=len))]
-    transposed: dict[int, dict[int, Fraction]] = defaultdict(dict)
-    for c, column in enumerate(columns):
-        for row, value in column.items():
-            transposed[row][c] = value
-    pivots, _ = _reduce_rows(list(transposed.values()), len(columns))
-    return [{monomials[r]: v for r, v in columns[c].items()} for c in pivots if c >= len(products)]
+    columns = [*products, *sorted(invariants, key=len)]
+    return [columns[c] for c, _ in _reduce_rows(rows_of(columns), len(columns)) if c >= len(products)]
+
+
+def whole_multiple(p: Any) -> Any:
+    """Return a polynomial's multiple with coprime whole coefficients, that of the highest power of x_1 positive."""
+    from flint import fmpq, fmpq_poly
+
+    row = fmpq_poly(p.coeffs())
+    factor = fmpq(row.denom(), row.numer().content())
+    return p * (factor if p[max(p.monoms())] > 0 else -factor)

@@ -1,15 +1,27 @@
-"""Polynomials as tables of terms, {exponents: coefficient}: products, multiples with whole coefficients."""
+"""Polynomials as terms, exponents and coefficients: their text, and products that fit a degree."""
 
 from __future__ import annotations
 
-import math
-from collections import defaultdict
-from collections.abc import Sequence
-from fractions import Fraction
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 Exponents = tuple[int, ...]
-Terms = dict[Exponents, Fraction]
+SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def show_terms(terms: Iterable[tuple[Sequence[int], Any]]) -> str:
+    """Return a polynomial as text.
+
+    >>> show_terms([((2, 0), 1), ((1, 1), -2), ((0, 0), -1)])
+    'x1² − 2 x1 x2 − 1'
+    """
+    text = ""
+    for m, c in terms:
+        factors = [f"x{k + 1}" + (str(e).translate(SUPERSCRIPTS) if e > 1 else "") for k, e in enumerate(m) if e]
+        size = [] if abs(c) == 1 and factors else [str(abs(c))]
+        sign = ("" if c > 0 else "−") if not text else (" + " if c > 0 else " − ")
+        text += sign + " ".join(size + factors)
+    return text or "0"
 
 
 def exponents_of(indices: tuple[int, ...], dim: int) -> Exponents:
@@ -24,34 +36,16 @@ def exponents_of(indices: tuple[int, ...], dim: int) -> Exponents:
     return tuple(counts)
 
 
-def multiply_terms(a: dict[Exponents, Any], b: dict[Exponents, Any]) -> dict[Exponents, Any]:
-    """Return the product of two polynomials; coefficients may be any numbers or symbols."""
-    product: dict[Exponents, Any] = defaultdict(int)
-    for m, x in a.items():
-        for n, y in b.items():
-            product[tuple(i + j for i, j in zip(m, n, strict=True))] += x * y
-    return {powers: value for powers, value in product.items() if value != 0}
+def multiply_together(polynomials: Sequence[Any], degree: int) -> list[Any]:
+    """Return all products of given polynomials, of python-flint or SymPy, with repetition, up to a degree."""
+    degrees = [max(map(sum, p.monoms())) for p in polynomials]
 
-
-def multiply_together(polynomials: Sequence[dict[Exponents, Any]], degree: int) -> list[dict[Exponents, Any]]:
-    """Return all products of given polynomials, with repetition, up to a degree."""
-    degrees = [max(map(sum, terms)) for terms in polynomials]
-
-    def extend(start: int, left: int) -> list[dict[Exponents, Any]]:
-        results: list[dict[Exponents, Any]] = []
+    def extend(start: int, left: int) -> list[Any]:
+        results: list[Any] = []
         for n in range(start, len(polynomials)):
             if degrees[n] <= left:
                 results.append(polynomials[n])
-                results += [multiply_terms(polynomials[n], rest) for rest in extend(n, left - degrees[n])]
+                results += [polynomials[n] * rest for rest in extend(n, left - degrees[n])]
         return results
 
     return extend(0, degree)
-
-
-def whole_terms(terms: Terms) -> Terms:
-    """Return a polynomial's multiple with coprime whole coefficients, sorted, the first one positive."""
-    order = sorted(terms, reverse=True)
-    denominator = math.lcm(*(v.denominator for v in terms.values()))
-    divisor = math.gcd(*(int(v * denominator) for v in terms.values()))
-    factor = Fraction(denominator, divisor) * (1 if terms[order[0]] > 0 else -1)
-    return {m: terms[m] * factor for m in order}

@@ -86,7 +86,19 @@ def _read_binary(name: str, value: Any) -> Fraction:
     return (-1) ** sign * mantissa * Fraction(2) ** exponent
 
 
-def nearest_double(number: Fraction) -> float:
+def as_fmpq(number: Any) -> Any:
+    """Return a Fraction, a double or a whole number as python-flint's rational."""
+    from flint import fmpq
+
+    return fmpq(*number.as_integer_ratio())
+
+
+def as_fraction(number: Any) -> Fraction:
+    """Return python-flint's rational as a Fraction."""
+    return Fraction(int(number.p), int(number.q))
+
+
+def nearest_double(number: Any) -> float:
     """Return the double next to a number, an infinity beyond the largest."""
     try:
         return float(number)

@@ -14,10 +14,10 @@ import numpy as np
 
 from polhode._base.rational.numbers import EXACT, check_reading, read_number
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.algebra.casimirs import invariant_terms, rational_brackets
+from polhode.algebra.casimirs import invariant_polynomials, rational_brackets
 from polhode.errors import InvalidInput, shown
 from polhode.proving.symbolic._gate import sympy
-from polhode.proving.symbolic._polynomials import from_terms
+from polhode.proving.symbolic._polynomials import to_expression
 
 Expression = Any  # of SymPy, which has no types of its own for checkers
 
@@ -155,7 +155,8 @@ class LiePoissonBracket:
             InvalidInput: for constants that are symbols, a degree below 1, a problem too large, or a missing
                 python-flint.
         """
-        return [from_terms(terms, self.coordinates) for terms in invariant_terms(self.rational_brackets(), degree)]
+        found = invariant_polynomials(self.rational_brackets(), degree)
+        return [to_expression(p.terms(), self.coordinates) for p in found]
 
     def rational_brackets(self) -> list[list[dict[int, Fraction]]]:
         """Return [e_i, e_j] as {k: c_ijk} with fractions.

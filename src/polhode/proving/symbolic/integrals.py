@@ -9,18 +9,19 @@ from __future__ import annotations
 import functools
 import itertools
 import math
-from collections import defaultdict
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import Any, NamedTuple
 
-from polhode._base.rational._sparse import new_terms, null_space
-from polhode._base.rational._terms import exponents_of, multiply_together, whole_terms
+from polhode._base.rational._polynomials import context, rate
+from polhode._base.rational._sparse import SparseRow, choose_independent, null_space, rows_of, whole_multiple
+from polhode._base.rational._terms import exponents_of, multiply_together
 from polhode._base.rational.numbers import EXACT
 from polhode.algebra.casimirs import check_degree
+from polhode.certificates._equations import poisson_field
 from polhode.errors import InvalidInput
 from polhode.proving.symbolic._gate import sympy
-from polhode.proving.symbolic._polynomials import bracket_terms, from_terms, symbolic_terms, to_terms
+from polhode.proving.symbolic._polynomials import symbolic_terms, to_expression, to_rational
+from polhode.proving.symbolic.brackets import LiePoissonBracket
 from polhode.proving.symbolic.systems import SymbolicSystem, as_symbolic
 from polhode.systems.base import AbstractLiePoissonSystem
 
@@ -36,7 +37,8 @@ class IntegralLimits(NamedTuple):
 
 
 LIMITS = IntegralLimits()
-Polynomial = dict[tuple[int, ...], Any]
+Polynomial = Any
+"""Of python-flint, or of SymPy where coefficients are rational functions of symbols; both have terms and monoms."""
 
 
 def polynomial_integrals(
@@ -78,87 +80,103 @@ def polynomial_integrals(
     dim = bracket.dim
     check_degree(degree, math.comb(dim + degree, degree) - 1 if isinstance(degree, int) and degree > 0 else 0, dim)
     parameters = sorted(system.hamiltonian.free_symbols - set(x), key=str)
-    constants = bracket.rational_brackets()
-    if not parameters:
-        H: Polynomial = to_terms(system.hamiltonian, x)
-        field = None
-    else:
-        if math.comb(dim + degree, degree) > LIMITS.max_symbolic_monomials:
-            raise InvalidInput(
-                f"`degree` {degree} in {dim} variables has more than {LIMITS.max_symbolic_monomials} monomials, "
-                f"and the Hamiltonian has symbols ({', '.join(map(str, parameters))}). Put numbers in their place by "
-                "`subs`, or lower it."
-            )
-        field, H = _in_field(symbolic_terms(system.hamiltonian, x), parameters)
-    zero = (0,) * dim
-    H = {powers: value for powers, value in H.items() if powers != zero}
-    one = Fraction(1) if field is None else field.one
+    bracket.rational_brackets()  # refuses symbols
+    if parameters and math.comb(dim + degree, degree) > LIMITS.max_symbolic_monomials:
+        raise InvalidInput(
+            f"`degree` {degree} in {dim} variables has more than {LIMITS.max_symbolic_monomials} monomials, "
+            f"and the Hamiltonian has symbols ({', '.join(map(str, parameters))}). Put numbers in their place by "
+            "`subs`, or lower it."
+        )
+    over = _OverSymbols(bracket, parameters) if parameters else _OverNumbers(bracket)
+    H = over.read(system.hamiltonian)
+    flow = over.flow(H)
     # an integral of low degree may be a difference of products of higher degree, as L3 is of H and |L|²
-    highest = max(degree, max(map(sum, H), default=0))
-    known = [{m: v * one for m, v in to_terms(C, x).items()} for C in bracket.casimirs(highest)]
-    known += [H] if H else []
+    highest = max([degree, *(sum(m) for m in H.monoms())])
+    known = [over.read(C) for C in bracket.casimirs(highest)]
+    if moves := {m: c for m, c in H.terms() if any(m)}:
+        known.append(over.space.from_dict(moves))
     generators: list[Polynomial] = []
     for d in range(1, degree + 1):
-        invariants = _commuting(constants, bracket.sign, H, dim, d, one, field)
-        generators += _new(invariants, multiply_together([*known, *generators], highest), field)
-    return [_as_expression(terms, x, field) for terms in generators]
+        invariants = _commuting(over, flow, d)
+        if invariants:
+            generators += over.choose_new(invariants, multiply_together([*known, *generators], highest))
+    return [over.show(p) for p in generators]
 
 
-def _commuting(
-    constants: Sequence[Sequence[dict[int, Fraction]]], sign: int, H: Polynomial, dim: int, degree: int, one: Any,
-    field: Any,
-) -> list[Polynomial]:
-    """Return a basis of the polynomials of degree 1 up to a given one that commute with H."""
+class _OverNumbers:
+    """Polynomials of python-flint."""
+
+    def __init__(self, bracket: LiePoissonBracket) -> None:
+        self.bracket, self.space = bracket, context(bracket.dim)
+        self.one, self.rate, self.null_space = 1, rate, null_space
+
+    def read(self, expression: Any) -> Polynomial:
+        return to_rational(expression, self.bracket.coordinates)
+
+    def flow(self, H: Polynomial) -> Sequence[Polynomial]:
+        return poisson_field(self.bracket.rational_brackets(), self.bracket.sign, H)
+
+    def choose_new(self, invariants: list[Polynomial], products: list[Polynomial]) -> list[Polynomial]:
+        """Return those invariants that are needed in addition to the products to span all."""
+        return [whole_multiple(p) for p in choose_independent(invariants, products)]
+
+    def show(self, p: Polynomial) -> Any:
+        return to_expression(p.terms(), self.bracket.coordinates)
+
+
+class _OverSymbols:
+    """Polynomials of SymPy over the field of rational functions of parameters."""
+
+    def __init__(self, bracket: LiePoissonBracket, parameters: Sequence[Any]) -> None:
+        self.bracket, self.field = bracket, sympy.QQ.frac_field(*parameters)
+        self.one, self.space = self.field.one, sympy.ring(bracket.coordinates, self.field)[0]
+
+    def read(self, expression: Any) -> Polynomial:
+        terms = symbolic_terms(expression, self.bracket.coordinates)
+        try:
+            return self.space.from_dict({m: self.field.from_sympy(sympy.together(c)) for m, c in terms.items()})
+        except (sympy.polys.polyerrors.CoercionFailed, ValueError):
+            raise InvalidInput("coefficients of the Hamiltonian must be rational functions of its symbols. Give a "
+                               "symbol to what is not.") from None
+
+    def flow(self, H: Polynomial) -> Sequence[Polynomial]:
+        x, sign = self.space.gens, self.bracket.sign
+        slopes = [H.diff(v) for v in x]
+        return [sum((slopes[j] * x[k] * sympy.QQ(sign * c.numerator, c.denominator) for j, vector in enumerate(row)
+                     for k, c in vector.items()), self.space.zero)
+                for row in self.bracket.rational_brackets()]  # fmt: skip
+
+    def rate(self, p: Polynomial, flow: Sequence[Polynomial]) -> Polynomial:
+        return sum((f * p.diff(x) for f, x in zip(flow, self.space.gens, strict=True)), self.space.zero)
+
+    def null_space(self, rows: list[SparseRow], columns: int) -> list[SparseRow]:
+        if not rows:
+            return [{c: self.field.one} for c in range(columns)]
+        kernel = self._matrix(rows, columns).nullspace(divide_last=True)
+        return [dict(row) for row in kernel.rep.to_sdm().values()]
+
+    def choose_new(self, invariants: list[Polynomial], products: list[Polynomial]) -> list[Polynomial]:
+        columns = [*products, *sorted(invariants, key=len)]
+        _, pivots = self._matrix(rows_of(columns), len(columns)).rref()
+        return [columns[c] for c in pivots if c >= len(products)]
+
+    def _matrix(self, rows: list[SparseRow], columns: int) -> Any:
+        return sympy.polys.matrices.DomainMatrix(dict(enumerate(rows)), (len(rows), columns), self.field)
+
+    def show(self, p: Polynomial) -> Any:
+        """Return a multiple with coprime polynomials in the parameters."""
+        common = functools.reduce(lambda a, b: a.lcm(b), (c.denom for c in p.coeffs()))
+        whole = [c.numer * common.exquo(c.denom) for c in p.coeffs()]
+        shared = functools.reduce(lambda a, b: a.gcd(b), whole)
+        factored = (sympy.factor(c.exquo(shared).as_expr()) for c in whole)
+        return to_expression(zip(p.monoms(), factored, strict=True), self.bracket.coordinates)
+
+
+def _commuting(over: _OverNumbers | _OverSymbols, flow: Sequence[Polynomial], degree: int) -> list[Polynomial]:
+    """Return a basis of the polynomials of degree 1 up to a given one that a flow keeps."""
+    dim = len(flow)
     monomials = [exponents_of(m, dim) for d in range(degree, 0, -1)
                  for m in itertools.combinations_with_replacement(range(dim), d)]
-    rows: dict[tuple[int, ...], dict[int, Any]] = defaultdict(dict)
-    for column, monomial in enumerate(monomials):
-        for powers, value in bracket_terms(constants, sign, {monomial: one}, H).items():
-            rows[powers][column] = value
-    vectors = _null_space(list(rows.values()), len(monomials), field)
-    return [{monomials[c]: v for c, v in vector.items()} for vector in vectors]
-
-
-def _null_space(rows: list[dict[int, Any]], columns: int, field: Any) -> list[dict[int, Any]]:
-    if field is None:
-        return null_space(rows, columns)
-    if not rows:
-        return [{c: field.one} for c in range(columns)]
-    matrix = sympy.polys.matrices.DomainMatrix(dict(enumerate(rows)), (len(rows), columns), field)
-    kernel = matrix.nullspace(divide_last=True)
-    return [dict(row) for row in kernel.rep.to_sdm().values()]
-
-
-def _new(invariants: list[Polynomial], products: list[Polynomial], field: Any) -> list[Polynomial]:
-    """Return those invariants that are needed in addition to the products to span all."""
-    if not invariants:
-        return []
-    if field is None:
-        return [whole_terms(terms) for terms in new_terms(invariants, products)]
-    monomials = sorted({m for terms in (*invariants, *products) for m in terms}, reverse=True)
-    columns = [*products, *sorted(invariants, key=len)]
-    rows = {r: {c: terms[m] for c, terms in enumerate(columns) if m in terms} for r, m in enumerate(monomials)}
-    matrix = sympy.polys.matrices.DomainMatrix(rows, (len(monomials), len(columns)), field)
-    _, pivots = matrix.rref()
-    return [columns[c] for c in pivots if c >= len(products)]
-
-
-def _in_field(terms: Polynomial, parameters: Sequence[Any]) -> tuple[Any, Polynomial]:
-    """Return the field of rational functions of the parameters, and a polynomial with coefficients in it."""
-    field = sympy.QQ.frac_field(*parameters)
-    try:
-        return field, {powers: field.from_sympy(sympy.together(value)) for powers, value in terms.items()}
-    except (sympy.polys.polyerrors.CoercionFailed, ValueError):
-        raise InvalidInput(
-            "coefficients of the Hamiltonian must be rational functions of its symbols. Give a symbol to what is not."
-        ) from None
-
-
-def _as_expression(terms: Polynomial, coordinates: Sequence[Any], field: Any) -> Any:
-    if field is None:
-        return from_terms(terms, coordinates)
-    # coprime polynomials in the parameters
-    common = functools.reduce(lambda a, b: a.lcm(b), (value.denom for value in terms.values()))
-    whole = {powers: value.numer * common.exquo(value.denom) for powers, value in terms.items()}
-    shared = functools.reduce(lambda a, b: a.gcd(b), whole.values())
-    return from_terms({powers: sympy.factor(v.exquo(shared).as_expr()) for powers, v in whole.items()}, coordinates)
+    rows = rows_of([over.rate(over.space.from_dict({m: over.one}), flow) for m in monomials])
+    vectors = over.null_space(rows, len(monomials))
+    return [over.space.from_dict({monomials[c]: v for c, v in vector.items()}) for vector in vectors]

@@ -10,8 +10,8 @@ from typing import Any
 import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
+from flint import fmpq_mpoly
 
-from polhode._base.rational._terms import Terms
 from polhode._base.rational.numbers import EXACT, nearest_double, read_number
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.constants import from_structure_constants
@@ -19,7 +19,7 @@ from polhode.analysis._conserved import Energy
 from polhode.certificates._exact_tracing import trace_polynomials
 from polhode.errors import InvalidInput, shown
 from polhode.proving.symbolic._gate import sympy
-from polhode.proving.symbolic._polynomials import from_terms
+from polhode.proving.symbolic._polynomials import to_expression
 from polhode.proving.symbolic.brackets import LiePoissonBracket, name_symbols, read_doubles
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.systems.lie_poisson import LiePoisson
@@ -78,7 +78,7 @@ class SymbolicSystem:
             raise InvalidInput(f"{type(system).__name__} loses energy, and no Hamiltonian alone gives its motion. Take "
                                "the conservative system.")
         bracket = LiePoissonBracket(system.algebra, coordinates, system.sign, read_as=read_as)
-        return cls(bracket, from_terms(_exact_energy(system, read_as), bracket.coordinates))
+        return cls(bracket, to_expression(_exact_energy(system, read_as).terms(), bracket.coordinates))
 
     @property
     def parameters(self) -> tuple[Any, ...]:
@@ -226,8 +226,8 @@ def _jax_function(expression: Any, coordinates: tuple[Any, ...], parameters: tup
     return sympy.lambdify([coordinates, parameters], expression, modules="jax", cse=True)
 
 
-def _exact_energy(system: AbstractLiePoissonSystem, read_as: str) -> Terms:
-    """Return H as {exponents: fraction}."""
+def _exact_energy(system: AbstractLiePoissonSystem, read_as: str) -> fmpq_mpoly:
+    """Return H."""
     try:
         (energy,) = trace_polynomials(Energy(system), system.algebra.dim, partial(read_number, read_as=read_as))
     except Untraceable as error:
@@ -235,4 +235,4 @@ def _exact_energy(system: AbstractLiePoissonSystem, read_as: str) -> Terms:
             f"the energy of {type(system).__name__} must be a polynomial to be read exactly; it has {error}. Make a "
             "SymbolicSystem from the expression itself."
         ) from None
-    return energy.terms
+    return energy

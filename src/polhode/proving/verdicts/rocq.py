@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from fractions import Fraction
 from importlib import resources
 from pathlib import Path
 
-from polhode._base.rational._polynomials import RationalPolynomial, quadratic_form
+from flint import fmpq, fmpq_mpoly
+
+from polhode._base.rational._polynomials import quadratic_form, rate, terms_of
 from polhode._base.rational.numbers import READINGS
 from polhode.certificates._confinement import Confinement, Squares
 from polhode.certificates._equations import Equations
@@ -142,7 +143,7 @@ def _confinement_data(equations: Equations, proof: Confinement) -> str:
 def _turns(equations: Equations) -> str:
     """Return the symmetry as formulas and as data."""
     n, flow = equations.size, equations.flow
-    twice = [x.rate(flow) for x in flow]
+    twice = [rate(x, flow) for x in flow]
     names, at = " ".join(_x(n)), " ".join(f"(x {k}%nat)" for k in range(n))
     lines = [f"(* turned points: those on the orbit of the flow of {_plain(equations.flow_name)} *)"]
     for k, (once, again) in enumerate(zip(flow, twice, strict=True)):
@@ -311,28 +312,28 @@ def _hypotheses(n: int) -> str:
     return " ".join(f"s{k + 1}" for k in range(n))
 
 
-def _formula(p: RationalPolynomial) -> str:
+def _formula(p: fmpq_mpoly) -> str:
     terms = []
-    for m, c in p.sorted_terms():
+    for m, c in terms_of(p):
         factors = [f"x{k + 1}" for k, e in enumerate(m) for _ in range(e)]
         terms.append(" * ".join(factors if c == 1 and factors else [_real(c), *factors]))
     return " + ".join(terms) or "0"
 
 
-def _real(x: Fraction) -> str:
-    return f"({x.numerator})" if x.denominator == 1 else f"({x.numerator} / {x.denominator})"
+def _real(x: fmpq) -> str:
+    return f"({x.p})" if x.q == 1 else f"({x.p} / {x.q})"
 
 
-def _q(x: Fraction) -> str:
-    return f"({x.numerator}#{x.denominator})"
+def _q(x: fmpq) -> str:
+    return f"({x.p}#{x.q})"
 
 
-def _poly(p: RationalPolynomial) -> str:
+def _poly(p: fmpq_mpoly) -> str:
     return "[" + "; ".join(f"({_q(c)}, [{'; '.join(str(k) for k, e in enumerate(m) for _ in range(e))}]%nat)"
-                           for m, c in p.sorted_terms()) + "]"
+                           for m, c in terms_of(p)) + "]"
 
 
-def _numbers(row: Sequence[Fraction]) -> str:
+def _numbers(row: Sequence[fmpq]) -> str:
     return "[" + "; ".join(map(_q, row)) + "]"
 
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from fractions import Fraction
 from typing import Any, NamedTuple
 
+from flint import fmpq, fmpq_mpoly
+
 from polhode._base.extras import needing
-from polhode._base.rational._polynomials import RationalPolynomial, quadratic_form
+from polhode._base.rational._polynomials import part, quadratic_form, rate
 from polhode.certificates._confinement import Confinement
 from polhode.certificates._equations import Equations
 from polhode.certificates._growth import Drift, Growth
@@ -63,35 +64,35 @@ def _claims(
 ) -> Iterator[tuple[str, list[Any]]]:
     """Yield each claim in words, with conditions on v that hold together only where it is wrong."""
     if not equations.flow:
-        still = [_term(f.part(0, 0), v) for f in equations.around]
+        still = [_term(part(f, 0, 0), v) for f in equations.around]
         yield "the point is an equilibrium", [_any(x != 0 for x in still)]
     if isinstance(proof, Confinement):
         g, raised = proof.function(equations), proof.raised(equations)
         x = [y + _number(z) for y, z in zip(v, equations.point, strict=True)]
         parts = [_term(g.derivative(k), x) * _term(f, x) for k, f in enumerate(equations.field)]
         yield "G is conserved", [_sum(parts) != 0]
-        yield "G is stationary at the point", [_term(raised.part(1, 1), v) != 0]
-        yield "the second variation of G is positive definite", _not_positive(raised.part(2, 2), v)
+        yield "G is stationary at the point", [_term(part(raised, 1, 1), v) != 0]
+        yield "the second variation of G is positive definite", _not_positive(part(raised, 2, 2), v)
     elif isinstance(proof, Growth):
         V = quadratic_form(proof.form)
-        excess = (V.rate(equations.around) - 2 * proof.rate * V).part(2, 2)
-        yield "the rate is positive", [_term(V.constant(proof.rate), v) <= 0]
+        excess = part(rate(V, equations.around) - 2 * proof.rate * V, 2, 2)
+        yield "the rate is positive", [_number(proof.rate) <= 0]
         yield "V grows at twice the rate", _not_positive(excess, v)
-        yield "V is positive along the direction", [_term(V.constant(V.at(proof.direction)), v) <= 0]
+        yield "V is positive along the direction", [_number(V(*proof.direction)) <= 0]
     else:
         V, K, q = quadratic_form(proof.form), proof.conserved, proof.factor
         yield "K is conserved", [_rate(K, equations, v) != 0]
         yield "V has the rate K q", [_rate(V, equations, v) != _term(K, v) * _term(q, v)]
-        yield "q is positive at the point", [_term(q.part(0, 0), v) <= 0]
-        yield "K is positive along the direction", [_term(K.constant(K.at(proof.direction)), v) <= 0]
+        yield "q is positive at the point", [_term(part(q, 0, 0), v) <= 0]
+        yield "K is positive along the direction", [_number(K(*proof.direction)) <= 0]
 
 
-def _rate(p: RationalPolynomial, equations: Equations, v: list[Any]) -> Any:
+def _rate(p: fmpq_mpoly, equations: Equations, v: list[Any]) -> Any:
     """Return the rate of change along the equations around the point, unexpanded."""
     return _sum([_term(p.derivative(k), v) * _term(f, v) for k, f in enumerate(equations.around)])
 
 
-def _not_positive(form: RationalPolynomial, v: list[Any]) -> list[Any]:
+def _not_positive(form: fmpq_mpoly, v: list[Any]) -> list[Any]:
     return [_term(form, v) <= 0, _any(x != 0 for x in v)]
 
 
@@ -101,10 +102,10 @@ def _any(conditions: Iterator[Any]) -> Any:
     return z3.Or(list(conditions))
 
 
-def _term(p: RationalPolynomial, v: list[Any]) -> Any:
+def _term(p: fmpq_mpoly, v: list[Any]) -> Any:
     """Return a polynomial as z3 has it."""
-    factors = ([x for x, e in zip(v, m, strict=True) for _ in range(e)] for m in p.terms)
-    return _sum([math.prod(xs, start=_number(c)) for xs, c in zip(factors, p.terms.values(), strict=True)])
+    factors = ([x for x, e in zip(v, m, strict=True) for _ in range(int(e))] for m in p.monoms())
+    return _sum([math.prod(xs, start=_number(c)) for xs, c in zip(factors, p.coeffs(), strict=True)])
 
 
 def _sum(terms: list[Any]) -> Any:
@@ -113,7 +114,7 @@ def _sum(terms: list[Any]) -> Any:
     return z3.Sum(terms) if terms else z3.RealVal(0)
 
 
-def _number(x: Fraction) -> Any:
+def _number(x: fmpq) -> Any:
     import z3
 
-    return z3.Q(x.numerator, x.denominator)
+    return z3.Q(int(x.p), int(x.q))
