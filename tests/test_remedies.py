@@ -20,6 +20,7 @@ import typer
 from pydantic import BaseModel
 
 import polhode
+from polhode._base import check
 from polhode._base.plugins.wings import wing_names, wing_points
 from polhode.bodies.body import Body
 from polhode.cli.commands import app
@@ -78,23 +79,41 @@ class Text(NamedTuple):
     words: str
 
 
+def words_of(node: ast.Constant | ast.JoinedStr) -> str:
+    """Return a text as it stands in the source, … for what is put into it."""
+    parts = node.values if isinstance(node, ast.JoinedStr) else [node]
+    return "".join(part.value if isinstance(part, ast.Constant) else "…" for part in parts)
+
+
+def names_checked(tree: ast.Module) -> set[int]:
+    """Return the texts, by their ``id``, that functions of ``check`` are given as names of arguments."""
+    calls = (node for node in ast.walk(tree) if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute))
+    return {id(call.args[0]) for call in calls
+            if isinstance(call.func.value, ast.Name) and call.func.value.id == "check"}  # fmt: skip
+
+
 @cache
 def catalogue() -> tuple[Text, ...]:
-    """Return all texts of the package that are no docstrings."""
+    """Return all texts of the package that are no docstrings; names of arguments that are checked in backticks."""
     found = []
     for path in sorted(ROOT.rglob("*.py")):
         tree = ast.parse(path.read_text("utf-8"))
         inside = {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
         said = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+        checked = names_checked(tree)
         for node in ast.walk(tree):
             if id(node) in said or id(node) in inside:
                 continue
-            if isinstance(node, ast.Constant) and isinstance(node.value, str):
-                found.append(Text(path.relative_to(ROOT).as_posix(), node.lineno, node.value))
-            elif isinstance(node, ast.JoinedStr):
-                words = "".join(part.value if isinstance(part, ast.Constant) else "…" for part in node.values)
+            if isinstance(node, ast.JoinedStr) or (isinstance(node, ast.Constant) and isinstance(node.value, str)):
+                words = check.subject(words_of(node)) if id(node) in checked else words_of(node)
                 found.append(Text(path.relative_to(ROOT).as_posix(), node.lineno, words))
     return tuple(found)
+
+
+def test_names_of_arguments_that_are_checked_are_in_the_catalogue():
+    tree = ast.parse('check.number("mass", mass)\ncheck.one_of(f"{x}: kind", kind, ("a", "b"))\nother.number("length")')
+    by_id = {id(node): node for node in ast.walk(tree)}
+    assert {check.subject(words_of(by_id[one])) for one in names_checked(tree)} == {"`mass`", "…: kind"}
 
 
 @cache

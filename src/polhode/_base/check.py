@@ -1,0 +1,289 @@
+"""Checks of what comes in from outside: numbers, whole numbers, arrays, words; each in one sentence of one form.
+
+The sentence names the argument, the rule, the value and the remedy. What is checked is returned, as a float, a whole
+number, an array of float64 or the word. What no double holds is refused as everywhere, by ``require_doubles``.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Sequence
+from typing import Any, NoReturn, TypeVar
+
+import numpy as np
+
+from polhode._base.arrays.namespaces import as_float64, is_traced, namespace, require_doubles
+from polhode.errors import InvalidInput, shown
+
+MOST_SHOWN = 9
+"""Numbers of an array up to which a message shows them all; of more it shows the first wrong one."""
+NO_NUMBERS = bool, np.bool_, str, bytes, np.datetime64  # though ``float`` makes some of them
+_WORDS = ("no", "one", "two", "three", "four", "five", "six")
+Kind = TypeVar("Kind")
+_ARGUMENT = re.compile(r"[^\W\d][\w.\[\]…]*")
+
+
+def subject(name: str) -> str:
+    """Return what a sentence begins with: an argument in backticks; a phrase or an option as it is.
+
+    >>> subject("times"), subject("the amplitude"), subject("--to")
+    ('`times`', 'the amplitude', '--to')
+    """
+    return f"`{name}`" if _ARGUMENT.fullmatch(name) else name
+
+
+def refuse(name: str, rule: str, value: Any, remedy: str = "", error: type[InvalidInput] = InvalidInput) -> NoReturn:
+    """Raise the sentence of all checks.
+
+    Args:
+        name: of the argument, or a phrase for it.
+        rule: what it must be.
+        value: what it is.
+        remedy: one or more sentences.
+        error: which kind.
+    """
+    _raise(name, rule, shown(value), remedy, error)
+
+
+def number(
+    name: str,
+    value: Any,
+    unit: str = "",
+    *,
+    above: float | None = None,
+    least: float | None = None,
+    below: float | None = None,
+    most: float | None = None,
+    infinite: bool = False,
+    rule: str = "",
+    remedy: str = "",
+) -> float:
+    """Return one real number as a float.
+
+    Args:
+        name: of the argument, or a phrase for it.
+        value: Python's, NumPy's or JAX's number, an array of no axes, a Fraction or a Decimal.
+        unit: for the message.
+        above, least, below, most: bounds; the number may equal the second and the last.
+        infinite: whether an infinity is one.
+        rule: in place of the words that the bounds give.
+        remedy: one or more sentences.
+
+    Raises:
+        InvalidInput: for a number out of these bounds, NaN, and all that is not one known real number of 64 bits; truth
+            values and text among them.
+
+    >>> number("rate", 2, above=0)
+    2.0
+    >>> number("rate", -1, "rad/s", above=0)
+    Traceback (most recent call last):
+    polhode.errors.InvalidInput: `rate` must be positive and finite [rad/s]; got -1.
+    """
+    x = _as_float(value)
+    if not math.isfinite(x) or hasattr(value, "dtype"):
+        require_doubles(**{name: value})
+    low = (above is None or x > above) and (least is None or x >= least)
+    high = (below is None or x < below) and (most is None or x <= most)
+    if not (low and high and (math.isfinite(x) or (infinite and not math.isnan(x)))):
+        refuse(name, (rule or _bounds(above, least, below, most, infinite)) + _in(unit), value, remedy)
+    return x
+
+
+def whole(
+    name: str, value: Any, least: int | None = None, most: int | None = None, *, what: str = "", remedy: str = ""
+) -> int:
+    """Return one whole number as an int.
+
+    Args:
+        name, remedy: as for ``number``.
+        value: Python's or NumPy's whole number.
+        least, most: bounds that it may equal.
+        what: it counts, for the message.
+
+    Raises:
+        InvalidInput: for anything else, truth values and 2.0 among it.
+
+    >>> whole("count", 2.5, 1, what="vortices")
+    Traceback (most recent call last):
+    polhode.errors.InvalidInput: `count` must be a whole number of vortices, at least 1; got 2.5.
+    """
+    if isinstance(value, int | np.integer) and not isinstance(value, bool | np.timedelta64):
+        n = int(value)
+        if (least is None or n >= least) and (most is None or n <= most):
+            return n
+    low = f" from {least:,} to {most:,}" if least is not None and most is not None else ""
+    low = low or (f", at least {least:,}" if least is not None else f", at most {most:,}" if most is not None else "")
+    refuse(name, f"a whole number{f' of {what}' if what else ''}{low}", value, remedy)
+
+
+def one_of(
+    name: str, value: Any, names: Iterable[str], remedy: str = "", error: type[InvalidInput] = InvalidInput
+) -> str:
+    """Return a word, one of several.
+
+    Args:
+        name, remedy: as for ``number``.
+        value: anything.
+        names: the words.
+        error: which kind to raise.
+
+    Raises:
+        InvalidInput: or the other kind, for anything else.
+
+    >>> one_of("frame", "orbit", ("body", "space"))
+    Traceback (most recent call last):
+    polhode.errors.InvalidInput: `frame` must be "body" or "space"; got 'orbit'.
+    """
+    known = tuple(names)
+    if not isinstance(value, str) or value not in known:
+        quoted = [f'"{one}"' for one in known]
+        refuse(name, " or ".join(quoted) if len(known) < 3 else f"one of {', '.join(quoted)}", value, remedy, error)
+    return value
+
+
+def instance(name: str, value: Any, kinds: type[Kind] | tuple[type[Kind], ...], rule: str, remedy: str = "") -> Kind:
+    """Return an object of a class, or of one of several.
+
+    Args:
+        name, rule, remedy: as for ``refuse``.
+        value: anything.
+        kinds: the classes.
+
+    Raises:
+        InvalidInput: for anything else.
+    """
+    if not isinstance(value, kinds):
+        refuse(name, rule, value, remedy)
+    return value
+
+
+def array(
+    name: str,
+    value: Any,
+    shape: Sequence[int | str] | None = None,
+    unit: str = "",
+    *,
+    above: float | None = None,
+    least: float | None = None,
+    ascending: bool = False,
+    not_all_zero: bool = False,
+    traced: bool = False,
+    rule: str = "",
+    remedy: str = "",
+) -> Any:
+    """Return finite numbers as an array of float64.
+
+    Args:
+        name, unit, remedy: as for ``number``.
+        value: array or nested lists.
+        shape: sizes of the axes; a letter is any size, the same wherever it stands; "…" in front is any axes. None is
+            any shape.
+        above, least: bounds of every number, which may equal the second.
+        ascending: whether none along the last axis may be below the one before.
+        not_all_zero: whether one of them must not be zero.
+        traced: whether arrays that JAX traces are let through, of which nothing but the shape is known; JAX's arrays
+            then stay JAX's.
+        rule: in place of the words that the shape and the bounds give.
+
+    Raises:
+        InvalidInput: for another shape, numbers that are not finite or out of bounds, and all that is no array of real
+            numbers of 64 bits.
+
+    >>> array("moments", [1, 2, 0], (3,), "kg m²", above=0)
+    Traceback (most recent call last):
+    polhode.errors.InvalidInput: `moments` must be three positive finite numbers [kg m²]; got [1, 2, 0].
+    >>> array("rows", [1, 2], ("n", 3))
+    Traceback (most recent call last):
+    polhode.errors.InvalidInput: `rows` must be finite numbers of shape (n, 3); got shape (2,).
+    """
+    if is_traced(value) and not traced:
+        _raise(name, "known numbers, not traced by JAX", "traced ones", remedy)
+    values = as_float64(namespace(value) if traced else np, value, name)
+    rule = (rule or _numbers(shape, above, least, ascending, not_all_zero)) + _in(unit)
+    if shape is not None and not _fits(values.shape, shape):
+        _raise(name, rule, f"shape {tuple(values.shape)}", remedy)
+    if is_traced(values):
+        return values
+    known = np.asarray(values)
+    good = np.isfinite(known)
+    if above is not None:
+        good &= known > above
+    if least is not None:
+        good &= known >= least
+    if ascending and good.all():
+        good[..., 1:] &= np.diff(known) >= 0.0
+    if not good.all() or (not_all_zero and not known.any()):
+        _raise(name, rule, _wrong(value, known, good), remedy)
+    return values
+
+
+def _raise(name: str, rule: str, got: str, remedy: str, error: type[InvalidInput] = InvalidInput) -> NoReturn:
+    raise error(f"{subject(name)} must be {rule}; got {got}.{f' {remedy}' if remedy else ''}")
+
+
+def _as_float(value: Any) -> float:
+    """Return the double of one real number; of anything else NaN, which no rule lets through."""
+    if is_traced(value) or isinstance(value, NO_NUMBERS):
+        return math.nan
+    try:
+        return math.nan if np.ndim(value) or np.iscomplexobj(value) else float(value)
+    except (TypeError, ValueError, OverflowError):
+        return math.nan
+
+
+def _fits(got: Sequence[int], wanted: Sequence[int | str]) -> bool:
+    if wanted and wanted[0] == "…":
+        wanted = wanted[1:]
+        got = got[max(0, len(got) - len(wanted)) :]
+    letters: dict[str, int] = {}
+    return len(got) == len(wanted) and all(
+        n == (letters.setdefault(one, n) if isinstance(one, str) else one) for n, one in zip(got, wanted, strict=True)
+    )
+
+
+def _wrong(value: Any, known: np.ndarray, good: np.ndarray) -> str:
+    """Return what a message shows of an array."""
+    if known.size <= MOST_SHOWN:
+        return shown(value.tolist() if hasattr(value, "tolist") else value)
+    if good.all():
+        return "zeros alone"
+    first = tuple(np.argwhere(~good)[0].tolist())
+    return f"{known[first]:g} at index {first[0] if len(first) == 1 else first}"
+
+
+def _bounds(above: float | None, least: float | None, below: float | None, most: float | None, infinite: bool) -> str:
+    """Return the words of one number's bounds."""
+    low = f"above {above:g}" if above is not None else f"at least {least:g}" if least is not None else ""
+    high = f"below {below:g}" if below is not None else f"at most {most:g}" if most is not None else ""
+    if low and high:
+        if above is not None and below is not None:
+            return f"between {above:g} and {below:g}"
+        return f"from {least:g} to {most:g}" if least is not None and most is not None else f"{low} and {high}"
+    if above == 0:
+        return "positive" if infinite else "positive and finite"
+    if least == 0:
+        return "a number that is not negative" if infinite else "finite and not negative"
+    kind = "a number" if infinite else "a finite number"
+    return f"{kind} {low or high}".rstrip()
+
+
+def _numbers(
+    shape: Sequence[int | str] | None, above: float | None, least: float | None, ascending: bool, not_all_zero: bool
+) -> str:
+    """Return the words of an array's shape and bounds."""
+    kind = "positive finite" if above == 0 else "finite"
+    plain = len(shape) == 1 and isinstance(shape[0], int) if shape is not None else False
+    count = (_WORDS[shape[0]] if shape[0] < len(_WORDS) else str(shape[0])) if plain else ""
+    words = f"a {kind} number" if shape == () else f"{count} {kind} numbers".lstrip()
+    if shape and not plain:
+        words += f" of shape ({', '.join(map(str, shape))}{',' if len(shape) == 1 else ''})"
+    if above:
+        words += f" above {above:g}"
+    if least is not None:
+        words += f" at least {least:g}" if least else ", not negative"
+    return words + (" in ascending order" if ascending else "") + (", not all zero" if not_all_zero else "")
+
+
+def _in(unit: str) -> str:
+    return f" [{unit}]" if unit else ""
