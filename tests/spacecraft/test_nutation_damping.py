@@ -170,7 +170,7 @@ def test_fuel_swings_faster_than_the_body_spins():
         (lambda: dual_spin_damping(2.0, (1.0, 1.0), (1.0, 1.0), (0.1, 0.1)), "spins at the nutation's own rate"),
         (lambda: nutation_time_constant(1.0, 1.0, 1.0, 0.1), "must differ"),
         (lambda: nutation_time_constant(1.0, 2.0, 1.0, 0.0), "`loss` must be positive"),
-        (lambda: slosh_frequency(1.0, -1.0, 1.0), "`pivot` must be a distance"),
+        (lambda: slosh_frequency(1.0, -1.0, 1.0), "`pivot` must be finite and not negative"),
     ],
 )
 def test_bad_input(call, words):

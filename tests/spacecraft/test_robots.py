@@ -250,7 +250,7 @@ BROKEN = {
         (('<body name="frame"/>', '<body name="frame"><geom size="1"/></body>'), "takes its mass from its geoms"),
         (("<worldbody>", '<include file="a.xml"/><worldbody>'), "has an <include>"),
         (('eulerseq="xyz"', 'balanceinertia="true"'), "changes masses and inertias"),
-        (('type="slide"', 'type="screw"'), "its type must be one of hinge, slide, ball, free"),
+        (('type="slide"', 'type="screw"'), 'its type must be one of "hinge", "slide", "ball", "free"'),
         (("</worldbody>", '<body name="second"/></worldbody>'), "must have one outermost body"),
         (('fullinertia="0.3 0.4', 'diaginertia="1 1 1" fullinertia="0.3 0.4'), "must have one of"),
         (('eulerseq="xyz"', 'eulerseq="xyy2"'), "eulerseq"),

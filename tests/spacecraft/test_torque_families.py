@@ -279,7 +279,7 @@ def test_pulses_change_the_momentum_by_torque_times_time_however_short():
         (lambda: DumpingThrusters(0.1, [1.0, 2.0]), "one for each of 3"),
         (lambda: DumpingThrusters(0.1, dead_band=-1.0), "`dead_band` must be"),
         (lambda: EarthDipoleField(KeplerOrbit(1e-3, 0.0)), "needs the size of the orbit"),
-        (lambda: TorqueRods(FIELD, -1.0), "`gain` must be a finite number above 0"),
+        (lambda: TorqueRods(FIELD, -1.0), "`gain` must be positive and finite"),
         (lambda: TorqueRods(FIELD, 1.0, limit=[1.0, 2.0]), "or one for each of 3"),
         (lambda: SolarPressure((1, 0, 0), [1.0]), "`areas`, `normals` and `positions` together"),
         (lambda: SolarPressure((1, 0, 0), box=(1, 1, 1), specular=0.8, diffuse=0.3), "together at most 1"),

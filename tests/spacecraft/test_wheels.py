@@ -51,5 +51,5 @@ def test_a_wheel_stays_below_its_largest_rate():
 
 @pytest.mark.parametrize("name", ["max_torque", "max_rate", "sliding_rate"])
 def test_limits_are_positive(name):
-    with pytest.raises(InvalidInput, match=f"`{name}` must be a finite number above 0"):
+    with pytest.raises(InvalidInput, match=f"`{name}` must be positive and finite"):
         Wheel((0, 0, 1), OWN, **{name: -1.0})

@@ -94,7 +94,7 @@ def test_losses_leave_only_the_major_axis_stable():
     ("make", "words"),
     [
         (lambda: Gyrostat(MOMENTS, (1.0, 2.0)), "`rotor` must be three"),
-        (lambda: DoubleBracket(MOMENTS, -1.0), "`rate` must be a finite number not below 0"),
+        (lambda: DoubleBracket(MOMENTS, -1.0), "`rate` must be finite and not negative"),
         (lambda: TorquedGyrostat(MOMENTS, (0, 0, 0), 0.1, 0.0), "`axis` must be a direction"),
         (lambda: TorquedGyrostat(MOMENTS, (0, 0, 1), -0.1, 0.0), "`rotor_moment`"),
         (lambda: TorquedGyrostat(MOMENTS, (0, 0, 1), 0.1, np.nan), "`torque`"),

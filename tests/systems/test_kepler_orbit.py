@@ -108,7 +108,7 @@ def test_from_semi_major_axis():
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: KeplerOrbit(0.0, 0.1), "`mean_motion` must be a finite number above 0"),
+        (lambda: KeplerOrbit(0.0, 0.1), "`mean_motion` must be positive and finite"),
         (lambda: KeplerOrbit(1.0, 1.0), "below 1"),
         (lambda: KeplerOrbit(1.0, -0.1), "`eccentricity`"),
         (lambda: KeplerOrbit(1.0, np.nan), "`eccentricity`"),

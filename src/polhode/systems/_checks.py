@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import compiled_for_few_calls, refuse_complex, require_doubles
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput, shown
@@ -31,12 +32,8 @@ def checked_number(
     Raises:
         InvalidInput: for anything else, or one out of range.
     """
-    require_doubles(**{name: value})
-    number = as_floats(value)
-    if number.shape != () or not _in_range(number, above, least):
-        rule = f"a finite number{_range(above, least, unit)}"
-        raise InvalidInput(f"`{name}` must be {rule}; got {shown(value)}. Check its size and sign.")
-    return jnp.asarray(number)
+    remedy = "Check its size and sign."
+    return jnp.asarray(check.number(name, value, unit, above=above, least=least, remedy=remedy))
 
 
 def checked_numbers(
@@ -106,11 +103,7 @@ def checked_vector(name: str, value: Real[ArrayLike, "3"]) -> Float64[Array, "3"
     Raises:
         InvalidInput: otherwise.
     """
-    require_doubles(**{name: value})
-    vector = as_floats(value)
-    if vector.shape != (3,) or not np.isfinite(vector).all():
-        raise InvalidInput(f"`{name}` must be three finite numbers; got {shown(value)}.")
-    return jnp.asarray(vector)
+    return jnp.asarray(check.array(name, value, (3,)))
 
 
 def checked_direction(name: str, value: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 
 import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import compiled_for_few_calls, known_numbers_only
 from polhode.analysis._reasons import SettlesOnCircle, SphereOfRests
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.first_method import first_method
-from polhode.errors import InvalidInput, shown
 from polhode.spacecraft.systems.torqued_body import TorquedBody
 from polhode.systems.double_bracket import DoubleBracket
 from polhode.types import Array
@@ -43,11 +42,8 @@ def damped_axis_stability(
     >>> [verdict.verdict for verdict in verdicts]
     ['unstable', 'unstable', 'stable']
     """
-    if not isinstance(system, DoubleBracket | TorquedBody):
-        raise InvalidInput(f"`system` must be a DoubleBracket or a TorquedBody; got {shown(system)}.")
-    norm = float(momentum_norm)
-    if not 0.0 < norm < math.inf:
-        raise InvalidInput(f"`momentum_norm` must be positive and finite; got {norm:g}. Give |L| in kg m²/s.")
+    check.instance("system", system, (DoubleBracket, TorquedBody), "a DoubleBracket or a TorquedBody")
+    norm = check.number("momentum_norm", momentum_norm, "kg m²/s", above=0)
     if isinstance(system, TorquedBody):
         system = TorquedBody(system.moments, [torque for torque in system.torques if not torque.needs_attitude])
 

@@ -14,8 +14,9 @@ import math
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.special.carlson import carlson_rd
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -194,13 +195,8 @@ def _losses(I: Array, squares: Array) -> Float64[np.ndarray, "..."]:  # noqa: E7
 
 
 def _check_arguments(moments: ArrayLike, momentum: ArrayLike, rate: float, angle: float) -> tuple[Array, Array]:
-    I, L = np.asarray(moments, dtype=float), np.asarray(momentum, dtype=float)  # noqa: E741
-    if I.shape != (3,) or not (np.isfinite(I).all() and 0.0 < I[0] <= I[1] <= I[2]):
-        raise InvalidInput(f"`moments` must be three positive numbers in ascending order; got {shown(moments)}.")
-    if L.shape != (3,) or not np.isfinite(L).all():
-        raise InvalidInput(f"`momentum` must be three finite numbers [kg m²/s]; got {shown(momentum)}.")
-    if not 0.0 < rate < math.inf:
-        raise InvalidInput(f"`rate` must be positive and finite; got {shown(rate)} s/(kg m²).")
-    if not 0.0 < angle < 0.5 * math.pi:
-        raise InvalidInput(f"`angle` must lie between 0 and π/2; got {shown(angle)} rad.")
+    I = check.array("moments", moments, (3,), "kg m²", above=0, ascending=True)  # noqa: E741
+    L = check.array("momentum", momentum, (3,), "kg m²/s")
+    check.number("rate", rate, "s/(kg m²)", above=0)
+    check.number("angle", angle, "rad", above=0, below=0.5 * math.pi, rule="between 0 and π/2")
     return I, L

@@ -13,8 +13,9 @@ from __future__ import annotations
 
 import math
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.motion._inputs import refuse_not_positive
 
 
@@ -96,6 +97,5 @@ def slosh_frequency(spin: float, pivot: float, length: float) -> float:
     Source: Abramson, *The Dynamic Behavior of Liquids in Moving Containers*, NASA SP-106, ch. 6.
     """
     refuse_not_positive(spin=abs(spin), length=length)
-    if not 0.0 <= pivot < math.inf:
-        raise InvalidInput(f"`pivot` must be a distance that is not negative [m]; got {shown(pivot)}.")
+    check.number("pivot", pivot, "m", least=0)
     return abs(spin) * math.sqrt((pivot + length) / length)

@@ -17,6 +17,7 @@ from typing import NamedTuple, TextIO
 import numpy as np
 
 from polhode import rotation
+from polhode._base import check
 from polhode.errors import InvalidInput, shown
 from polhode.formats.animation_keys import exact_motion
 from polhode.formats.attitude_checks import single_attitude
@@ -135,9 +136,7 @@ def _scalar_last(quaternion: Array) -> Array:
 
 
 def _epoch(labels: AttitudeLabels) -> tuple[int, int]:
-    if labels.time_system not in TIME_SYSTEMS:
-        known = ", ".join(TIME_SYSTEMS)
-        raise InvalidInput(f"`time_system` must be one of {known}; got {shown(labels.time_system)}.")
+    check.one_of("time_system", labels.time_system, TIME_SYSTEMS)
     try:
         return read_epoch(labels.epoch, labels.time_system)
     except ValueError as error:

@@ -10,7 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.errors import InvalidInput, shown
+from polhode._base import check
+from polhode.errors import shown
 from polhode.formats.aem_attitudes import COLUMNS, OLD_NAMES, Meaning
 from polhode.formats.epochs import read_epoch, shortest, since
 from polhode.formats.labels import AttitudeLabels, Recording, plain
@@ -59,9 +60,7 @@ def read_aem(path: str | Path, segment: int | None = None) -> Trajectory:
         refuse(path, None, "holds no segment, META_START … DATA_STOP; it is cut short. Get it whole.")
     segments = [(block, _join_parts(block)) for block in blocks]
     if segment is not None:
-        if not 0 <= segment < len(segments):
-            raise InvalidInput(f"`segment` must be from 0 to {len(segments) - 1} in {path}; got {segment}.")
-        segments = [segments[segment]]
+        segments = [segments[check.whole(f"`segment` of {path}", segment, 0, len(segments) - 1)]]
     alike = ("OBJECT_NAME", "OBJECT_ID", "REF_FRAME_A", "REF_FRAME_B", "TIME_SYSTEM", "ATTITUDE_DIR")
     if len({tuple(plain(block.text(name, "")) for name in alike) for block, _ in segments}) > 1:
         refuse(path, None, f"its {len(segments)} segments are about different objects, frames or time systems. "

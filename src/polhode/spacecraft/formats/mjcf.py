@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode._base import check
 from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
@@ -234,8 +235,7 @@ class _Reader:
             raise FormatError(f"{where}: there is no default class {shown(wanted)}.")
         said = {key: value for key, value in (self.defaults[wanted] | element.attrib).items() if key in JOINT}
         type_ = said.get("type", "hinge")
-        if type_ not in UNITS:
-            raise FormatError(f"{where}: its type must be one of {', '.join(UNITS)}; got {shown(type_)}.")
+        check.one_of(f"{where}: its type", type_, UNITS, error=FormatError)
         axis = unit_vector(where, "axis", finite_numbers(where, "axis", said.get("axis", "0 0 1"), 3))
         anchor = finite_numbers(where, "pos", said.get("pos", "0 0 0"), 3)
         reference = float(finite_numbers(where, "ref", said.get("ref", "0"), 1)[0])

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from polhode import rotation
+from polhode._base import check
 from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
@@ -190,8 +191,7 @@ class _Poses:
 
 def _motion(path: Path, name: str, element: ET.Element, poses: _Poses) -> Motion:
     where, kind = f"{path}: joint {shown(name)}", element.get("type", "")
-    if kind not in UNITS:
-        raise FormatError(f"{where}: its type must be one of {', '.join(UNITS)}; got {shown(kind)}.")
+    check.one_of(f"{where}: its type", kind, UNITS, error=FormatError)
     if not UNITS[kind]:
         return Motion(name, "")
     xyz = find_child(where, find_child(where, element, "axis"), "xyz")

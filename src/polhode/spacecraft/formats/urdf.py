@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode._base import check
 from polhode.bodies._inertia import MassProperties
 from polhode.bodies.body import Body
 from polhode.errors import FormatError, InvalidInput, shown
@@ -118,8 +119,7 @@ def _joint(path: Path, element: ET.Element, names: list[str]) -> tuple[str, str,
     """Return parent, child, frame in the parent and motion of a joint."""
     name, kind = element.get("name", ""), element.get("type", "")
     where = f"{path}: joint {shown(name)}"
-    if kind not in UNITS:
-        raise FormatError(f"{where}: its type must be one of {', '.join(UNITS)}; got {shown(kind)}.")
+    check.one_of(f"{where}: its type", kind, UNITS, error=FormatError)
     ends = [find_child(where, element, tag).get("link", "") for tag in ("parent", "child")]
     if unknown := [end for end in ends if end not in names]:
         raise FormatError(f"{where}: there is no link {shown(unknown[0])}. Check the file.")

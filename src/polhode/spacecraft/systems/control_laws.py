@@ -11,6 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode._base import check
 from polhode._base.arrays import compiled_for_few_calls, known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
@@ -111,11 +112,8 @@ def checked_law(law: Any) -> AbstractControlLaw:
     Raises:
         InvalidInput: for anything else.
     """
-    if not isinstance(law, AbstractControlLaw):
-        raise InvalidInput(
-            f"`law` must be a control law, such as polhode.spacecraft.QuaternionPD; got {shown(law)}. For a "
-            "function of your own give UserLaw(function)."
-        )
+    check.instance("law", law, AbstractControlLaw, "a control law, such as polhode.spacecraft.QuaternionPD",
+                   "For a function of your own give UserLaw(function).")
     return law
 
 
@@ -167,8 +165,7 @@ class QuaternionPD(AbstractControlLaw):
         target: str = "inertial", attitude: Real[ArrayLike, "4"] = (1.0, 0.0, 0.0, 0.0),
         orbit: KeplerOrbit | None = None,
     ) -> None:
-        if target not in TARGETS:
-            raise InvalidInput(f'`target` must be "inertial" or "nadir"; got {shown(target)}.')
+        check.one_of("target", target, TARGETS)
         if target == "nadir" and not isinstance(orbit, KeplerOrbit):
             raise InvalidInput('`target` "nadir" looks down along an orbit; give `orbit`, a KeplerOrbit.')
         if (gain is None) != (rate_gain is None) or (gain is None) == (bandwidth is None):

@@ -9,7 +9,8 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.arrays import known_numbers_only, require_doubles
+from polhode._base import check
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.spacecraft.systems.attachments import Argument, Attitude, Own, Time, Velocity, checked_jumps
@@ -95,8 +96,7 @@ class ControlMomentGyroscope(AbstractMovingPart):
         gimbal_torque: float | Drive | None = None, gimbal_rate: float | Drive | None = None,
         bandwidth: float | None = None, friction: float = 0.0, jumps: Real[ArrayLike, "jumps"] = (),
     ) -> None:
-        if not isinstance(rotor, Wheel | HeldWheel):
-            raise InvalidInput(f"`rotor` must be a polhode.spacecraft.Wheel or HeldWheel; got {shown(rotor)}.")
+        check.instance("rotor", rotor, (Wheel, HeldWheel), "a polhode.spacecraft.Wheel or HeldWheel")
         self.gimbal_axis, self.rotor = checked_direction("gimbal_axis", gimbal_axis), rotor
         if abs(float(np.dot(self.gimbal_axis, rotor.axis))) > LIMITS.max_cosine:
             raise InvalidInput(f"`gimbal_axis` must be perpendicular to the rotor's axis; got {shown(gimbal_axis)}.")
@@ -255,7 +255,5 @@ class ControlMomentGyroscope(AbstractMovingPart):
 
 
 def _checked_moments(moments: Real[ArrayLike, "3"]) -> list[Float64[Array, ""]]:
-    require_doubles(moments=moments)
-    if np.shape(moments) != (3,):
-        raise InvalidInput(f"`moments` must be three numbers [kg m²], about s, g × s and g; got {shown(moments)}.")
-    return [checked_number(f"moments[{k}]", float(x), 0.0, unit="kg m²") for k, x in enumerate(np.asarray(moments))]
+    remedy = "Give those about s, g × s and g."
+    return [jnp.asarray(x) for x in check.array("moments", moments, (3,), "kg m²", above=0, remedy=remedy)]

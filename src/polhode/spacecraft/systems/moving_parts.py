@@ -9,7 +9,8 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.arrays import known_numbers_only, require_doubles
+from polhode._base import check
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.motion.frame import BodyFrame
@@ -188,11 +189,8 @@ class LockedPart(AbstractMovingPart):
         if not isinstance(part, AbstractMovingPart) or part.further_count:
             raise InvalidInput(f"`part` must be a moving part with coordinates alone; got {shown(part)}. Leave out a "
                                "wheel that is locked, and put a `Wheel` in place of a gyroscope.")
-        require_doubles(coordinates=coordinates)
-        held = np.atleast_1d(np.asarray(coordinates, dtype=float))
-        if held.shape != (part.count,) or not np.isfinite(held).all():
-            raise InvalidInput(f"`coordinates` must be {part.count} finite numbers; got {shown(coordinates)}.")
-        self.held, self.held_at = part, jnp.asarray(held)
+        held = check.array("coordinates", coordinates, (part.count,) if np.ndim(coordinates) or part.count != 1 else ())
+        self.held, self.held_at = part, jnp.asarray(np.atleast_1d(held))
 
     @property
     def mass(self) -> Float64[Array, ""]:

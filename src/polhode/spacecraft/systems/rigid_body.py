@@ -9,9 +9,10 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode._base import check
 from polhode._base.arrays import compiled_for_few_calls, known_numbers_only
 from polhode.bodies.body import Body
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.motion._axes import Turn
 from polhode.motion.frame import BodyFrame
 from polhode.spacecraft.systems._moving_masses import leave_hub
@@ -260,9 +261,8 @@ class RigidBody(AbstractRigidBody):
         >>> [round(float(x), 9) for x in start]  # about z, the axis of least moment
         [0.1, 0.0, 0.0]
         """
-        if not isinstance(body, Body):
-            raise InvalidInput(f"`body` must be a polhode.Body; got {shown(body)}. Make one from moments by "
-                               "`RigidBody(moments, mounts, torques)`.")
+        check.instance("body", body, Body, "a polhode.Body",
+                       "Make one from moments by `RigidBody(moments, mounts, torques)`.")
         plain = Turn.to(np.asarray(body.principal_axes))  # by NumPy: JAX would compile each operation of it
         turn = Turn(jnp.asarray(plain.matrix), jnp.asarray(plain.quaternion))
         mass = None if body.mass is None else jnp.asarray(body.mass)

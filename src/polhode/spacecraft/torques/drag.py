@@ -7,8 +7,8 @@ from typing import ClassVar
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.arrays import known_numbers_only, require_doubles
-from polhode.errors import InvalidInput, shown
+from polhode._base import check
+from polhode._base.arrays import known_numbers_only
 from polhode.spacecraft.systems.attachments import Argument, Attitude, Own, Time, Velocity
 from polhode.spacecraft.torques.base import AbstractTorque
 from polhode.systems._checks import checked_number
@@ -29,13 +29,9 @@ class LinearDrag(AbstractTorque):
 
     @known_numbers_only
     def __init__(self, coefficient: Real[ArrayLike, "*components"]) -> None:
-        require_doubles(coefficient=coefficient)
-        values = np.asarray(coefficient, dtype=float)
-        if values.shape not in ((), (3,)) or not (np.isfinite(values).all() and (values >= 0).all()):
-            raise InvalidInput(
-                f"`coefficient` of linear drag must be one or three finite numbers, not negative [N m s]; "
-                f"got {shown(values.tolist())}. Drag takes energy: give its size without a sign."
-            )
+        shape, rule = (3,) if np.ndim(coefficient) else (), "one or three finite numbers, not negative"
+        remedy = "Drag takes energy: give its size without a sign."
+        values = check.array("coefficient", coefficient, shape, "N m s", least=0, rule=rule, remedy=remedy)
         self.coefficient = jnp.asarray(values)
 
     @property

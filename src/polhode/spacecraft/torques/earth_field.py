@@ -5,8 +5,8 @@ from __future__ import annotations
 import equinox as eqx
 import jax.numpy as jnp
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
-from polhode.errors import InvalidInput, shown
 from polhode.systems._checks import checked_number, checked_vector
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -47,8 +47,7 @@ class EarthDipoleField(eqx.Module):
     def __init__(
         self, orbit: KeplerOrbit, greenwich: float = 0.0, coefficients: Real[ArrayLike, "3"] = IGRF_2020
     ) -> None:
-        if not isinstance(orbit, KeplerOrbit):
-            raise InvalidInput(f"`orbit` must be a polhode.systems.KeplerOrbit; got {shown(orbit)}.")
+        check.instance("orbit", orbit, KeplerOrbit, "a polhode.systems.KeplerOrbit")
         orbit.check_size("the field of the Earth's dipole")
         self.orbit, self.greenwich = orbit, checked_number("greenwich", greenwich, unit="rad")
         self.coefficients = checked_vector("coefficients", coefficients)

@@ -8,9 +8,10 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.bodies.body import Body
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.motion.frame import BodyFrame
 from polhode.spacecraft.systems.attachments import Attitude, Own, Time, Velocity
 from polhode.spacecraft.torques.base import NEEDED, AbstractEnvironmentTorque, in_body
@@ -52,8 +53,7 @@ class GravityGradient(AbstractEnvironmentTorque):
     def __init__(
         self, orbit: KeplerOrbit, moments: Real[ArrayLike, "3"] | Real[ArrayLike, "3 3"] | None = None
     ) -> None:
-        if not isinstance(orbit, KeplerOrbit):
-            raise InvalidInput(f"`orbit` must be a polhode.systems.KeplerOrbit; got {shown(orbit)}.")
+        check.instance("orbit", orbit, KeplerOrbit, "a polhode.systems.KeplerOrbit")
         self.orbit = orbit
         if moments is None or np.shape(moments) != (3, 3):
             self.moments = None if moments is None else checked_moments(moments)

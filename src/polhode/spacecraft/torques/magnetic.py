@@ -8,6 +8,7 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.spacecraft.systems.attachments import Argument, Attitude, Own, Time, Velocity
@@ -95,9 +96,7 @@ class TorqueRods(AbstractEnvironmentTorque):
         self, field: EarthDipoleField, gain: float, law: str = "b-dot",
         limit: Real[ArrayLike, "*rods"] | None = None, axes: Real[ArrayLike, "rods 3"] | None = None,
     ) -> None:
-        if law not in LAWS:
-            raise InvalidInput(f'`law` of torque rods must be "b-dot" or "dump"; got {shown(law)}.')
-        self.field, self.law = _checked_field(field), law
+        self.field, self.law = _checked_field(field), check.one_of("law", law, LAWS)
         self.gain = checked_number("gain", gain, above=0.0, unit="A m² s/T" if law == "b-dot" else "1/s")
         self.axes = checked_directions("axes", np.eye(3) if axes is None else axes)
         self.shares = jnp.asarray(np.linalg.pinv(np.asarray(self.axes)).T)

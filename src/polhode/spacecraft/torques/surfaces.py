@@ -9,6 +9,7 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.spacecraft.systems.attachments import Argument, Attitude, Own, Time, Velocity
@@ -270,7 +271,7 @@ def make_plates(areas: Any, normals: Any, positions: Any, box: Any, center: Any)
                          if x is not None) or "none of these") + "."
         )
     if box is not None:
-        return _faces(np.asarray(checked_vector("box", box)), center)
+        return _faces(check.array("box", box, (3,), "m", above=0), center)
     if center is not None:
         raise InvalidInput("`center` goes with a `box`; plates have `positions`.")
     outward = checked_directions("normals", normals)
@@ -287,8 +288,6 @@ def make_plates(areas: Any, normals: Any, positions: Any, box: Any, center: Any)
 
 
 def _faces(box: np.ndarray, center: Any) -> Plates:
-    if not (box > 0).all():
-        raise InvalidInput(f"`box` must have three positive edges [m]; got {shown(box.tolist())}.")
     middle = np.zeros(3) if center is None else np.asarray(checked_vector("center", center))
     normals = np.concatenate([np.eye(3), -np.eye(3)])
     areas = np.prod(box) / box

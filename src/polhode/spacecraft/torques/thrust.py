@@ -8,8 +8,9 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only, require_doubles
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.spacecraft.systems.attachments import Argument, Attitude, Own, Time, Velocity
 from polhode.spacecraft.torques.base import NEEDED, AbstractTorque, in_body
 from polhode.systems._checks import checked_number, checked_numbers, checked_times, checked_vector
@@ -66,9 +67,7 @@ class Thruster(AbstractTorque):
             raise InvalidInput(
                 f"`lasting` must be one time or one for each of the {len(begins)} pulses; got {len(spans)}."
             )
-        if not (spans > 0).all():
-            least = float(spans.min())
-            raise InvalidInput(f"`lasting` must be positive [s]; got {shown(least)}. Leave out what never fires.")
+        check.array("lasting", spans, ("n",), "s", above=0, remedy="Leave out what never fires.")
         order = np.argsort(begins)
         begins, ends = begins[order], (begins + spans)[order]
         if not (ends > begins).all():
@@ -131,9 +130,7 @@ class ConstantTorque(AbstractTorque):
 
     @known_numbers_only
     def __init__(self, torque: Real[ArrayLike, "3"], frame: str = "body") -> None:
-        if frame not in FRAMES:
-            raise InvalidInput(f'`frame` must be "body" or "space"; got {shown(frame)}.')
-        self.vector, self.frame = checked_vector("torque", torque), frame
+        self.vector, self.frame = checked_vector("torque", torque), check.one_of("frame", frame, FRAMES)
 
     @property
     def names_all_jumps(self) -> bool:
