@@ -247,8 +247,8 @@ def test_absolute_moments_cover_the_truth():
     (lambda: clean_log([0.0, 1.0], np.ones((2, 3))), "8 finite samples"),
     (lambda: clean_log(np.arange(9.0), np.ones((9, 2))), "shape"),
     (lambda: fit_throw(made(1)[0], [[Window(5.0, 6.0)]]), "window must start"),
-    (lambda: fit_throw(made(1)[0], WHOLE, drag="yes"), "drag must be"),
-    (lambda: fit_throw(made(1)[0], WHOLE, clip=np.nan), "clip must be a positive rate"),
+    (lambda: fit_throw(made(1)[0], WHOLE, drag="yes"), "`drag` must be"),
+    (lambda: fit_throw(made(1)[0], WHOLE, clip=np.nan), "`clip` must be positive"),
     (lambda: fit_throw(clean_log(np.arange(99) / 100, 0.01 * np.ones((99, 3)))), "no free flight"),
     (lambda: measuring.fit_attitude(np.arange(20.0), np.ones((20, 4))), "unit length"),
 ])  # fmt: skip

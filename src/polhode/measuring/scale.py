@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.estimation._estimate import Estimate
 from polhode.measuring.attitudes.attitude_fit import AttitudeFit
 from polhode.measuring.throws.throw import ThrowFit
@@ -43,10 +44,9 @@ def moments_from_one(
         [0.4, 1.6, 2.0]
     """
     joint = _joint(fit)
-    if axis not in (1, 2, 3):
-        raise InvalidInput(f"axis must be 1, 2 or 3; got {shown(axis)}.")
-    if not (np.isfinite(moment) and moment > 0 and standard_error >= 0):
-        raise InvalidInput(f"moment must be a positive number of kg m²; got {shown(moment)}.")
+    check.whole("axis", axis, 1, 3)
+    check.number("moment", moment, "kg m²", above=0)
+    check.number("standard_error", standard_error, "kg m²", least=0)
     ratios = np.r_[joint.value[:2], 1.0]
     value = moment * ratios / ratios[axis - 1]
     # derivatives of moment · ratio_i/ratio_axis by the ratios and the moment
@@ -80,11 +80,9 @@ def moments_from_weight(
         InvalidInput: for degenerate fits, masses that are not positive, or a weight at the centre of mass.
     """
     joints = _joint(fit), _joint(with_weight)
-    r = np.asarray(place, dtype=np.float64)
-    if not (np.isfinite([mass, weight]).all() and mass > 0 and weight > 0):
-        raise InvalidInput(f"mass and weight must be positive numbers of kg; got {shown(mass)} and {shown(weight)}.")
-    if r.shape != (3,) or not np.isfinite(r).all() or not r.any():
-        raise InvalidInput(f"place must be three numbers of m, not all zero; got {shown(place)}.")
+    check.number("mass", mass, "kg", above=0)
+    check.number("weight", weight, "kg", above=0)
+    r = check.array("place", place, (3,), "m", not_all_zero=True)
     added = mass * weight / (mass + weight) * ((r @ r) * np.eye(3) - np.outer(r, r))
     values = np.concatenate([joint.value for joint in joints])
     covariance = np.zeros((10, 10))

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode.errors import InvalidInput, shown
+from polhode._base import check
 from polhode.estimation._estimate import Estimate
 from polhode.types import Array, Float64
 
@@ -39,9 +39,7 @@ def unit_vector(axis: Sequence[float]) -> Float64[Array, "3"]:
     Raises:
         InvalidInput: for what is not three finite numbers, not all zero.
     """
-    vector = np.asarray(axis, dtype=float)
-    if vector.shape != (3,) or not np.isfinite(vector).all() or not vector.any():
-        raise InvalidInput(f"an axis must be three finite numbers, not all zero, like [0, 0, 1]; got {shown(axis)}.")
+    vector = check.array("axis", axis, (3,), not_all_zero=True, remedy="Write it like [0, 0, 1].")
     vector = vector / np.abs(vector).max()
     return vector / np.linalg.norm(vector)
 

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.bodies._pivot import STANDARD_GRAVITY
 from polhode.errors import InvalidInput
@@ -122,17 +123,19 @@ def quarter_period(amplitude: float) -> float:
     Raises:
         InvalidInput: for an amplitude of half a turn and more, or a negative one.
     """
-    if not 0.0 <= amplitude < MAX_AMPLITUDE:
-        raise InvalidInput(f"the amplitude must be from 0 to 179 deg; got {math.degrees(amplitude):.6g} deg.")
+    _check_amplitude(amplitude)
     return float(complete_k(math.cos(0.5 * amplitude) ** 2))
+
+
+def _check_amplitude(amplitude: float) -> None:
+    check.number("amplitude", amplitude, "rad", least=0, below=MAX_AMPLITUDE, rule="from 0 to below 179 deg")
 
 
 def _filament_integrand(
     mass: float, length: float, upper: float, lower: float, amplitude: float, gravity: float
 ) -> tuple[Array, Array]:
     """Return M h′² and (h + h₀)/(2MgRr)/(1 − sin²(θ₀/2) sin²φ) (n,) at midpoints φ of the quarter period."""
-    if not 0.0 <= amplitude < MAX_AMPLITUDE:
-        raise InvalidInput(f"the amplitude must be from 0 to 179 deg; got {math.degrees(amplitude):.6g} deg.")
+    _check_amplitude(amplitude)
     straight = length**2 - (upper - lower) ** 2  # h² at rest
     lowest = straight - 4.0 * upper * lower * math.sin(0.5 * amplitude) ** 2
     if not lowest > 0.0:

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
+from polhode._base import check
 from polhode.analysis.polhodes import polhode_family, separatrix
-from polhode.errors import InvalidInput, shown
 from polhode.estimation._estimate import Estimate
 from polhode.exact.free_body import FreeMotion
 from polhode.figures import style
@@ -34,8 +34,7 @@ def throw_figures(fit: ThrowFit) -> dict[str, Callable[[], Figure]]:
     Raises:
         InvalidInput: for anything else.
     """
-    if not isinstance(fit, ThrowFit):
-        raise InvalidInput(f"`fit` must be a ThrowFit, as fit_throw returns it; got {shown(fit)}.")
+    check.instance("fit", fit, ThrowFit, "a ThrowFit, as fit_throw returns it")
     figures: dict[str, Callable[[], Figure]] = {"data_and_fit": partial(_data, fit)}
     if fit.degenerate is None and fit.ratios is not None and fit.axes is not None:
         figures["residuals"] = partial(_residuals, fit)
@@ -56,8 +55,7 @@ def attitude_figures(fit: AttitudeFit) -> dict[str, Callable[[], Figure]]:
     Raises:
         InvalidInput: for anything else.
     """
-    if not isinstance(fit, AttitudeFit):
-        raise InvalidInput(f"`fit` must be an AttitudeFit, as fit_attitude returns it; got {shown(fit)}.")
+    check.instance("fit", fit, AttitudeFit, "an AttitudeFit, as fit_attitude returns it")
     figures: dict[str, Callable[[], Figure]] = {"residuals": partial(_attitude_residuals, fit)}
     known = fit.ratios if fit.misfit is None else None
     return figures if known is None else figures | {"corner": partial(_corner, [known])}

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from polhode._base import check
 from polhode.errors import InvalidInput, shown
 from polhode.formats.form import Kernels
 from polhode.formats.form_registry import find_form
@@ -105,8 +106,8 @@ def _fit_throws(paths: Sequence[Path], options: FitOptions, progress: Progress |
         clip = saturation([each.log for each in logs])
     elif isinstance(clip, str):
         clip = quantity("`clip`", clip, "rad/s")
-    elif not clip > 0.0:
-        raise InvalidInput(f"`clip` must be a positive rate in rad/s; got {shown(clip)}.")
+    else:
+        check.number("clip", clip, "rad/s", above=0, infinite=True)
     flights = _flights(options.windows, names, logs, clip)
 
     def fit(some: Sequence[ReadLog], windows: Sequence[Sequence[Window]] | None, limit: float | None) -> ThrowFit:

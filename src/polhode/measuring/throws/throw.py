@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.estimation._estimate import Estimate
@@ -219,11 +220,11 @@ def fit_throw(
         raise InvalidInput(f"`logs` must be a GyroLog or a list of them; got {shown(logs)}. Read files with "
                            "`polhode.measuring.read_gyro_log`, or make one by `clean_log`.")
     for name, value in (("drag", drag), ("gain", gain), ("rotor", rotor)):
-        _check_choice(name, value)
-    if not (np.isfinite(gain_spread) and gain_spread > 0):
-        raise InvalidInput(f"gain_spread must be a positive number, like 0.01; got {shown(gain_spread)}.")
-    if clip is not None and not clip > 0:
-        raise InvalidInput(f"clip must be a positive rate, or infinity for no limit; got {shown(clip)} rad/s.")
+        if value not in (True, False, "auto"):
+            check.refuse(name, 'True, False or "auto"', value)
+    check.number("gain_spread", gain_spread, above=0, remedy="0.01 is usual.")
+    if clip is not None:
+        check.number("clip", clip, "rad/s", above=0, infinite=True, remedy="Infinity is no limit.")
     level = saturation(every) if clip is None else float(clip) if clip < math.inf else None
     flights = _choose_windows(every, windows, level)
     cut = [(k, window, *_cut(every[k], window, level)) for k, per_log in enumerate(flights) for window in per_log]
@@ -248,11 +249,6 @@ def fit_throw(
 def _scores(tried: list[Solution]) -> list[ModelScore]:
     return [ModelScore(s.model.air, s.model.rotor, s.model.gain, s.model.size, s.aicc, s.bic, rms(s.residuals),
                        s is tried[0]) for s in tried if np.isfinite(s.aicc)]
-
-
-def _check_choice(name: str, value: bool | str) -> None:
-    if value is not True and value is not False and value != "auto":
-        raise InvalidInput(f"{name} must be True, False or 'auto'; got {shown(value)}.")
 
 
 def _choose_windows(
