@@ -82,7 +82,7 @@ def changed(k, entry):
 
 
 @pytest.mark.parametrize(("spoil", "words"), [
-    (changed(1, np.nan), "`x` must be finite; entry 90 is nan"),
+    (changed(1, np.nan), "`x` must be finite numbers.*; got nan at index 90"),
     (changed(0, 0.0), "`times` must ascend; entry 90"),
     (lambda t, x, y: (t, x / MAS, y / MAS), "must be in radians"),
     (lambda t, x, y: (t, x[:-1], y), "equally long"),

@@ -169,8 +169,8 @@ def test_resonances_say_where_the_spin_librates():
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: poincare_section(HYPERION, [0.0, 1.0], 0), "`periods` must be a positive integer"),
-        (lambda: poincare_section(HYPERION, [0.0, 1.0], 5, 1.5), "`steps` must be a positive integer"),
+        (lambda: poincare_section(HYPERION, [0.0, 1.0], 0), "`periods` must be a whole number, at least 1"),
+        (lambda: poincare_section(HYPERION, [0.0, 1.0], 5, 1.5), "`steps` must be a whole number, at least 1"),
         (lambda: poincare_section(HYPERION, [0.0, 1.0, 2.0], 5), r"shape \(…, 2\)"),
         (lambda: lyapunov_exponent(HYPERION, [0.0, np.nan], 5), "finite"),
         (lambda: resonance_strength(0.3, 0.1), "half an integer"),

@@ -93,7 +93,7 @@ def test_no_chaos_where_there_is_none():
 
 
 def test_orbits_are_counted():
-    with pytest.raises(InvalidInput, match="`orbits` must be a positive integer; got 0"):
+    with pytest.raises(InvalidInput, match="`orbits` must be a whole number, at least 1; got 0"):
         spin_motion(SpinOrbit(0.1, 0.1), [0.0, 1.0], 0)
 
 

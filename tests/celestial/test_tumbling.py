@@ -124,10 +124,12 @@ def test_errors_are_those_of_draws_and_leave_the_motion_as_it_is():
 
 @pytest.mark.usefixtures("any_type")
 @pytest.mark.parametrize(("change", "words"), [
-    ({"precession": -1.0}, "positive period"), ({"rotation": np.nan}, "positive period"),
+    ({"precession": -1.0}, "positive and finite"), ({"rotation": np.nan}, "positive and finite"),
     ({"moments": [1.0, 1.0, 1.0]}, "sphere"), ({"moments": [1.0, 2.0, 4.0]}, "I1 \\+ I2"),
-    ({"moments": [2.0, 1.0, 2.5]}, "rise"), ({"moments": [1.0, np.inf, 2.5]}, "finite"), ({"axis": "middle"}, "axis"),
-    ({"errors": [1.0, -1.0, 0.0, 0.0, 0.0]}, "five standard deviations"), ({"rotation": 30.0}, "short-axis mode needs"),
+    ({"moments": [2.0, 1.0, 2.5]}, "in ascending order"), ({"moments": [1.0, np.inf, 2.5]}, "finite"),
+    ({"axis": "middle"}, "axis"),
+    ({"errors": [1.0, -1.0, 0.0, 0.0, 0.0]}, "five finite numbers, not negative"),
+    ({"rotation": 30.0}, "short-axis mode needs"),
 ])  # fmt: skip
 def test_bad_input_is_refused(change, words):
     given = {"precession": 27.38, "rotation": 263.0, "moments": [0.61, 0.965, 1.0], **change}

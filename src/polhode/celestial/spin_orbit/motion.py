@@ -7,9 +7,9 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.celestial.spin_orbit.resonances import (
-    check_count,
     follow_neighbours,
     resonance_strength,
     scale_start,
@@ -121,7 +121,7 @@ def spin_motion(system: SpinOrbit, state: Real[ArrayLike, "2"], orbits: int | No
     steps = steps_for(system, float(start[1]))
     if orbits is None:
         orbits = int(np.clip(LIMITS.max_kicks / (9 * steps), LIMITS.min_orbits, LIMITS.max_orbits))
-    orbits = check_count("orbits", orbits)
+    orbits = check.whole("orbits", orbits, 1)
     points, exponents = follow_neighbours(system, state, orbits, steps)
     verdict = _verdict(exponents * TURN * np.arange(1, orbits + 1) / n)
     if e == 0.0 or float(system.asphericity) == 0.0:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.celestial.spin_orbit._periapsis_map import Kicks, carry_neighbours, section, tabulate
 from polhode.celestial.spin_orbit.system import SpinOrbit
@@ -63,7 +64,7 @@ def poincare_section(
     ((201, 2), True)
     """
     start, kicks = scale_start(system, states), make_kicks(system, steps)
-    points = np.asarray(section(kicks, start, check_count("periods", periods)))[..., :2]
+    points = np.asarray(section(kicks, start, check.whole("periods", periods, 1)))[..., :2]
     points = np.moveaxis(np.concatenate([start[None], points]), 0, -2)
     return points * np.array([1.0, float(system.mean_motion)])
 
@@ -82,7 +83,7 @@ def tangent_map(
     """
     start, kicks = scale_start(system, states), make_kicks(system, steps)
     sides = np.broadcast_to(np.eye(2), (*start.shape, 2))
-    _, grown, _ = carry_neighbours(kicks, start, sides, check_count("periods", periods), False)
+    _, grown, _ = carry_neighbours(kicks, start, sides, check.whole("periods", periods, 1), False)
     return np.asarray(grown)
 
 
@@ -103,7 +104,7 @@ def lyapunov_exponent(
 
     Source: Wisdom, Peale & Mignard, Icarus 58 (1984) 137; Benettin et al., Meccanica 15 (1980) 9.
     """
-    return follow_neighbours(system, states, check_count("periods", periods), steps)[1]
+    return follow_neighbours(system, states, check.whole("periods", periods, 1), steps)[1]
 
 
 def follow_neighbours(
@@ -207,17 +208,11 @@ def steps_per_orbit(system: SpinOrbit) -> float:
 
 def make_kicks(system: SpinOrbit, steps: int | None) -> Kicks:
     default = math.ceil(steps_per_orbit(system))
-    return tabulate(system, default if steps is None else check_count("steps", steps))
+    return tabulate(system, default if steps is None else check.whole("steps", steps, 1))
 
 
 def scale_start(system: SpinOrbit, states: Real[ArrayLike, "*batch 2"]) -> Float64[Array, "*batch 2"]:
     return np.asarray(system.check_state(states)) / (1.0, float(system.mean_motion))
-
-
-def check_count(name: str, value: int) -> int:
-    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 1:
-        raise InvalidInput(f"`{name}` must be a positive integer; got {shown(value)}.")
-    return int(value)
 
 
 @known_numbers_only

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode.celestial.tumbling.estimation import MODES
 from polhode.celestial.tumbling.known_tumblers import known_tumbler, known_tumblers
 from polhode.celestial.tumbling.study import AXES, Friction, Given, tumble_report
@@ -76,8 +77,7 @@ def _friction(options: TumbleOptions) -> Friction | None:
     density = quantity("--density", options.density or "2000 kg/m^3", "kg/m^3")
     rigidity = quantity("--rigidity", options.rigidity or "5e11 Pa", "Pa")
     shape = 0.03 if options.shape_factor is None else options.shape_factor
-    if not 0 < shape < np.inf:
-        raise InvalidInput(f"--shape-factor must be positive, like 0.03; got {shown(shape)}.")
+    check.number("--shape-factor", shape, above=0, remedy="0.03 is usual.")
     check_reach("--shape-factor", shape)
     return Friction(diameter, density, rigidity, shape)
 
@@ -90,6 +90,4 @@ def _angle(name: str, text: str | None, usual: str, most: float) -> float:
 
 
 def _check_choice(name: str, text: str | None, known: tuple[str, ...]) -> Any:
-    if text is not None and text not in known:
-        raise InvalidInput(f"{name} must be {', '.join(known[:-1])} or {known[-1]}; got {shown(text)}.")
-    return text
+    return text if text is None else check.one_of(name, text, known)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.motion._inputs import refuse_not_finite, refuse_not_positive
+from polhode.motion._inputs import refuse_not_positive
 from polhode.types import ArrayLike, Float64, Real
 
 
@@ -26,13 +27,7 @@ def equivalent_ellipsoid(moments: Real[ArrayLike, "3"]) -> Float64[np.ndarray, "
         >>> equivalent_ellipsoid([0.61, 0.965, 1.0]).round(3).tolist()
         [1.0, 0.69, 0.651]
     """
-    values = np.asarray(moments, dtype=np.float64)
-    if values.shape != (3,):
-        raise InvalidInput(f"`moments` must be three numbers; got {shown(moments)}.")
-    refuse_not_finite(moments=values)
-    i1, i2, i3 = values.tolist()
-    if not 0 < i1 <= i2 <= i3:
-        raise InvalidInput(f"`moments` must be positive and rise, I1 <= I2 <= I3; got {shown(moments)}.")
+    i1, i2, i3 = check.array("moments", moments, (3,), above=0, ascending=True).tolist()
     squares = np.array([i2 + i3 - i1, i3 + i1 - i2, i1 + i2 - i3])
     if not squares[2] > 1e-12 * i3:
         raise InvalidInput(f"`moments` must obey I1 + I2 > I3, as those of every solid body do; got {shown(moments)}.")

@@ -9,11 +9,12 @@ import numpy as np
 from scipy.optimize.elementwise import find_root
 from scipy.spatial.transform import Rotation
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.estimation._estimate import Estimate
 from polhode.exact.free_body.motion import FreeMotion
-from polhode.motion._inputs import number_of, refuse_not_finite
+from polhode.motion._inputs import number_of
 from polhode.types import Array, ArrayLike, Float64, Real
 
 Mode = Literal["short-axis", "long-axis"]
@@ -110,10 +111,8 @@ def fit_tumbling(
     """
     moments = _check_moments(moments)
     for name, value in (("precession", precession), ("rotation", rotation)):
-        if not 0 < value < np.inf:
-            raise InvalidInput(f"`{name}` must be a positive period; got {shown(value)}.")
-    if axis not in ("encircled", "long", "short"):
-        raise InvalidInput(f'`axis` must be "encircled", "long" or "short"; got {shown(axis)}.')
+        check.number(name, value, above=0)
+    check.one_of("axis", axis, ("encircled", "long", "short"))
     sizes = _check_errors(errors)
     motions = []
     for mode in MODES:
@@ -154,13 +153,8 @@ def least_period_ratios(moments: Real[ArrayLike, "3"]) -> tuple[float, float]:
 
 
 def _check_moments(moments: ArrayLike) -> Float64[Array, "3"]:
-    values = np.asarray(moments, dtype=np.float64)
-    if values.shape != (3,):
-        raise InvalidInput(f"`moments` must be three numbers; got {shown(moments)}.")
-    refuse_not_finite(moments=values)
+    values = check.array("moments", moments, (3,), above=0, ascending=True)
     i1, i2, i3 = values.tolist()
-    if not 0 < i1 <= i2 <= i3:
-        raise InvalidInput(f"`moments` must be positive and rise, I1 <= I2 <= I3; got {shown(moments)}.")
     if i1 + i2 < i3 * (1 - 1e-12):
         raise InvalidInput(f"`moments` must obey I1 + I2 >= I3, as those of every body do; got {shown(moments)}.")
     if i1 == i3:
@@ -171,10 +165,8 @@ def _check_moments(moments: ArrayLike) -> Float64[Array, "3"]:
 def _check_errors(errors: ArrayLike | None) -> Float64[Array, "5"] | None:
     if errors is None:
         return None
-    sizes = np.asarray(errors, dtype=np.float64)
-    if sizes.shape != (5,) or not (np.isfinite(sizes) & (sizes >= 0)).all():
-        raise InvalidInput("`errors` must be five standard deviations, not negative, of precession, rotation and the "
-                           f"three moments; got {shown(errors)}.")
+    remedy = "Give the standard deviations of precession, rotation and the three moments."
+    sizes = check.array("errors", errors, (5,), least=0, remedy=remedy)
     return sizes if sizes.any() else None
 
 

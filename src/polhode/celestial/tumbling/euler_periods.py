@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
-from polhode.errors import InvalidInput, shown
 
 ELLIPTICITY = 3.273795e-3  # (C − A)/C
 SIDEREAL_DAY = 86_164.0989  # s, a turn of the Earth
@@ -61,14 +61,11 @@ def euler_chain(
     """
     # k_s = 3G (C − A)/(Ω² R⁵) with C − A = J2 M R²
     secular = 3.0 * GRAVITY * J2 / (ROTATION**2 * RADIUS**3)
-    if not 0.0 < ellipticity < 0.5:
-        raise InvalidInput(f"`ellipticity` must be between 0 and 0.5; got {shown(ellipticity)}. Earth: 0.00327.")
-    if not 0.0 < mantle <= 1.0:
-        raise InvalidInput(f"`mantle` must be a part of the whole, up to 1; got {shown(mantle)}. Earth: 0.8866.")
+    check.number("ellipticity", ellipticity, above=0, below=0.5, remedy="The Earth's is 0.00327.")
+    check.number("mantle", mantle, above=0, most=1, remedy="It is a part of the whole, of the Earth 0.8866.")
+    rule = f"a Love number from 0 to below {secular:.3f}, at which the figure would follow wholly"
     for name, k in (("elastic", elastic), ("oceans", oceans), ("anelastic", anelastic)):
-        if not 0.0 <= k < secular:
-            raise InvalidInput(f"`{name}` must be a Love number from 0 to below {secular:.3f}, at which the figure "
-                               f"would follow wholly; got {shown(k)}.")
+        check.number(name, k, least=0, below=secular, rule=rule)
     rigid = (1.0 / ellipticity - 1.0) * SIDEREAL_DAY
     yielding = lambda k: rigid / (1.0 - k / secular)  # noqa: E731
     return (

@@ -6,10 +6,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.exact.free_body.motion import FreeMotion
-from polhode.motion._inputs import number_of, refuse_not_finite
+from polhode.motion._inputs import number_of
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
 
@@ -63,9 +64,7 @@ def ellipsoid_brightness(
         >>> round(float(ellipsoid_brightness([2.0, 1.0, 1.0], [1.0, 0, 0], [1.0, 0, 0])), 12)
         0.5
     """
-    axes = np.asarray(semi_axes, dtype=np.float64)
-    if axes.shape != (3,) or not (np.isfinite(axes) & (axes > 0)).all():
-        raise InvalidInput(f"`semi_axes` must be three positive numbers; got {shown(semi_axes)}.")
+    axes = check.array("semi_axes", semi_axes, (3,), above=0)
     sun, observer = _directions("to_sun", to_sun) / axes, _directions("to_observer", to_observer) / axes
     view, lit = np.linalg.norm(observer, axis=-1), np.linalg.norm(sun, axis=-1)
     # the ellipsoid is a sphere in coordinates over its semi-axes: an angle there takes the place of the phase angle
@@ -200,10 +199,7 @@ def _magnitude(R: Array, semi_axes: ArrayLike, sun: Array, observer: Array) -> A
 
 
 def _directions(name: str, directions: ArrayLike) -> Array:
-    value = np.asarray(directions, dtype=np.float64)
-    if value.shape[-1:] != (3,):
-        raise InvalidInput(f"`{name}` must have a last axis of 3; got shape {shown(value.shape)}.")
-    refuse_not_finite(**{name: value})
+    value = check.array(name, directions, ("…", 3))
     size = np.linalg.norm(value, axis=-1, keepdims=True)
     if not (size > 0).all():
         raise InvalidInput(f"`{name}` must be a direction, not zero.")

@@ -7,6 +7,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode.celestial.tumbling.damping import equivalent_ellipsoid, internal_damping_time
 from polhode.celestial.tumbling.estimation import MODES, Mode, Tumbling, fit_tumbling, least_period_ratios
 from polhode.celestial.tumbling.known_tumblers import KnownTumbler, known_tumbler
@@ -69,13 +70,10 @@ def tumble(
     >>> report.summary[:22]
     'Short-axis mode (SAM):'
     """
-    if mode not in (None, *MODES):
-        raise InvalidInput(f"`mode` must be {' or '.join(MODES)}; got {shown(mode)}.")
+    if mode is not None:
+        check.one_of("mode", mode, MODES)
     for name, angle, most in (("aspect", aspect, 180.0), ("phase", phase, 170.0)):
-        if isinstance(angle, bool) or not isinstance(angle, int | float):
-            raise InvalidInput(f"`{name}` must be a number of radians; got {shown(angle)}.")
-        if not 0.0 <= angle <= np.radians(most) * (1 + 1e-15):
-            raise InvalidInput(f"`{name}` must be between 0 and {most:g}° in radians; got {shown(angle)}.")
+        check.number(name, angle, "rad", least=0, most=np.radians(most) * (1 + 1e-15), rule=f"from 0 to {most:g}°")
     lists = {"moments": moments, "semi_axes": semi_axes}
     for name, some in lists.items():
         if some is not None and (isinstance(some, str) or np.ndim(some) == 0 or len(some) != 3):

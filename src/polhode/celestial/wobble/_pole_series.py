@@ -6,7 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode.errors import InvalidInput, shown
+from polhode._base import check
+from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Complex128, Float64, Integer, Real
 
 DAY = 86_400.0
@@ -48,19 +49,9 @@ def clean_pole(times: Real[ArrayLike, "n"], x: Real[ArrayLike, "n"], y: Real[Arr
     Raises:
         InvalidInput: for arrays that are not finite, of different lengths, too few, not ascending, or not in radians.
     """
-    arrays = []
-    for name, column in (("times", times), ("x", x), ("y", y)):
-        try:
-            array = np.asarray(column, dtype=np.float64)
-        except (TypeError, ValueError):
-            raise InvalidInput(f"`{name}` must be numbers, one for each sample; got {shown(column)}.") from None
-        if array.ndim != 1:
-            raise InvalidInput(f"`{name}` must be one-dimensional; got the shape {array.shape}. Give one series.")
-        if not np.isfinite(array).all():
-            bad = int(np.argmin(np.isfinite(array)))
-            raise InvalidInput(f"`{name}` must be finite; entry {bad} is {array[bad]}. Leave such samples out.")
-        arrays.append(array)
-    t, east, west = arrays
+    remedy = "Give one series, and leave out samples that are not finite."
+    t, east, west = (check.array(name, column, ("n",), remedy=remedy)
+                     for name, column in (("times", times), ("x", x), ("y", y)))  # fmt: skip
     if not len(t) == len(east) == len(west):
         raise InvalidInput(f"`times`, `x` and `y` must be equally long; got {len(t)}, {len(east)} and {len(west)}.")
     if len(t) < LIMITS.min_samples:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.celestial.wobble._pole_series import DAY, clean_pole, even
 from polhode.errors import InvalidInput, shown
@@ -73,10 +74,9 @@ def polar_excitation(
         (2e-07+1e-06j)
     """
     for name, value in (("period", period), ("quality_factor", quality_factor), ("step", step)):
-        if not value > 0.0 or (np.isinf(value) and name != "quality_factor"):
-            raise InvalidInput(f"`{name}` must be positive; got {shown(value)}. Leave the step out for 10 d.")
-    if not 0.0 <= noise < np.inf:
-        raise InvalidInput(f"`noise` must be a standard deviation in radians, zero for none; got {shown(noise)}.")
+        remedy = "Leave it out for 10 d." if name == "step" else ""
+        check.number(name, value, above=0, infinite=name == "quality_factor", remedy=remedy)
+    check.number("noise", noise, "rad", least=0, remedy="It is a standard deviation, zero for none.")
     if step > 0.1 * period:
         raise InvalidInput(f"`step` must be a tenth of the period at most; got {shown(step)} s. Leave it out for 10 d.")
     raw = clean_pole(times, x, y)

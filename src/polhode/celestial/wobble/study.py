@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from polhode._base import check
 from polhode.celestial.tumbling.euler_periods import euler_chain
 from polhode.celestial.wobble._pole_series import DAY, YEAR
 from polhode.celestial.wobble.estimation import fit_chandler
@@ -39,8 +40,7 @@ def wobble(
     days = {"start": start, "end": end}
     if wrong := [name for name, day in days.items() if day is not None and not isinstance(day, str)]:
         raise InvalidInput(f'`{wrong[0]}` must be a day like "1976-01-01"; got {shown(days[wrong[0]])}.')
-    if isinstance(window, bool) or not isinstance(window, int | float):
-        raise InvalidInput(f"`window` must be a positive number of years; got {shown(window)}.")
+    check.number("window", window, "years", above=0, infinite=True)
     source = series if series is None or isinstance(series, PoleSeries) else as_path("series", series)
     return with_inputs(lambda: wobble_report(source, start, end, window))
 
@@ -55,8 +55,6 @@ def wobble_report(
         raise InvalidInput(f"`start` must be before `end`; got {start} and {end}. Swap them.")
     if not isinstance(series, PoleSeries):
         series = read_polar_motion(None if series is None else Path(series))
-    if not window > 0.0:
-        raise InvalidInput(f"`window` must be a positive number of years; got {shown(window)}.")
     used = _cut_between(series, first, last)
     pole = (used.days * DAY, used.x, used.y)
     line, process = fit_chandler(*pole), fit_chandler_process(*pole)
