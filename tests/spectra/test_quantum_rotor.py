@@ -191,8 +191,8 @@ def test_wrong_order_is_said_with_its_file(spec_of, tmp_path, capsys):
 @pytest.mark.parametrize(("old", "new", "said"), [
     ("j_max = 3", 'temperature = "1e9 K"', "levels up to J = .* count, and sums go to 600"),
     ('"835840.288 MHz"', '"1e25 Hz"', "constants must be below 1e.20 Hz"),
-    ("j_max = 3", "spin_weights = [0.0, 0.0]", "not both zero"),
-    ("j_max = 3", "racket = {}\nj = 0", "`J` must be from 1"),
+    ("j_max = 3", "spin_weights = [0.0, 0.0]", "not all zero"),
+    ("j_max = 3", "racket = {}\nj = 0", "`J` must be a whole number from 1"),
 ])  # fmt: skip
 def test_what_cannot_be_summed_is_refused(spec_of, old, new, said):
     with pytest.raises(InvalidInput, match=said):

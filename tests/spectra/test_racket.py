@@ -94,7 +94,7 @@ def test_the_ensemble_starts_as_the_state():
     (lambda: Racket((2.0, 2.0, 1.0), 3), "no middle axis"),
     (lambda: Racket(W, 0), "from 1 to 4,000"),
     (lambda: Racket(W, 3, 2.0), "`tilt` must be from 0"),
-    (lambda: Racket(W, 3, 0.1, "b"), "`towards` must be a or c"),
+    (lambda: Racket(W, 3, 0.1, "b"), '`towards` must be "a" or "c"'),
     (lambda: Racket(W, 3).quantum(np.array([np.nan])), "`times` must be finite"),
     (lambda: Racket(W, 3).ensemble(np.zeros(1), 3), "`members` must be a whole number"),
 ])  # fmt: skip

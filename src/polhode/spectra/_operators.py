@@ -9,13 +9,13 @@ Spectrosc. 148 (1991) 371.
 from __future__ import annotations
 
 import enum
-import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
 
-from polhode.errors import InvalidInput, shown
+from polhode._base import check
+from polhode.errors import InvalidInput
 from polhode.types import Array, Float64
 
 
@@ -95,15 +95,11 @@ def distortion_terms(
             "numbers mean another molecule in another one. The source of the constants has them."
         )
     known = TERMS[reduction]
-    for name, value in distortion.items():
+    for name in distortion:
         if name not in known:
-            raise InvalidInput(
-                f"`distortion` must have constants of the {reduction.value} reduction, {', '.join(known)}; "
-                f"got {shown(name)}."
-            )
-        if not (np.ndim(value) == 0 and math.isfinite(value)):
-            raise InvalidInput(f"`distortion[{name!s}]` must be one finite number [Hz]; got {shown(value)}.")
-    return [(float(value), known[name]) for name, value in distortion.items()]
+            rule = f"by names of constants of the {reduction.value} reduction, {', '.join(known)}"
+            check.refuse("distortion", rule, name)
+    return [(check.number(f"distortion[{name}]", value, "Hz"), known[name]) for name, value in distortion.items()]
 
 
 def matrix_elements(

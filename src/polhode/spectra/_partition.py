@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy import constants
 
-from polhode.errors import InvalidInput, shown
+from polhode._base import check
 from polhode.types import Array, ArrayLike, Float64, Real
 
 THERMAL = constants.k / constants.h  # Hz/K
@@ -35,10 +35,7 @@ def check_temperature(temperature: Real[ArrayLike, "*batch"]) -> Float64[Array, 
     Raises:
         InvalidInput: for temperatures that are not positive and finite.
     """
-    values = np.asarray(temperature, float)
-    if not (np.isfinite(values).all() and (values > 0.0).all()):
-        raise InvalidInput(f"`temperature` must be positive and finite [K]; got {shown(temperature)}.")
-    return values
+    return check.array("temperature", temperature, None, "K", above=0)
 
 
 def partition_sum(

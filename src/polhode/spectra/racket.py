@@ -17,12 +17,13 @@ import numpy as np
 from scipy.linalg import eigh_tridiagonal
 from scipy.optimize import brentq, minimize_scalar
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only, require_doubles
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.exact.free_body import FreeMotion
 from polhode.spectra._operators import Representation, matrix_elements, rigid_terms
 from polhode.spectra._orbits import orbit
-from polhode.spectra.rotor import Rotor, check_j, equal_constants
+from polhode.spectra.rotor import Rotor, equal_constants
 from polhode.spectra.spin import coherent_state
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
@@ -102,14 +103,9 @@ class Racket:
                 f"`constants` must be three different ones, A > B > C > 0; got {A:g}, {B:g}, {C:g}. A symmetric body "
                 "has no middle axis."
             )
-        self.constants, self.J = (A, B, C), check_j("J", J)
-        if not 1 <= self.J <= LIMITS.max_j:
-            raise InvalidInput(f"`J` must be from 1 to {LIMITS.max_j:,}; got {self.J}.")
-        if not 0.0 <= tilt <= STEEPEST:
-            raise InvalidInput(f"`tilt` must be from 0 to {STEEPEST:.4f} rad, 85°; got {shown(tilt)}.")
-        if towards not in SIDES:
-            raise InvalidInput(f"`towards` must be a or c; got {shown(towards)}.")
-        self.tilt, self.towards = float(tilt), towards
+        self.constants, self.J = (A, B, C), check.whole("J", J, 1, LIMITS.max_j)
+        self.tilt = check.number("tilt", tilt, "rad", least=0, most=STEEPEST, rule=f"from 0 to {STEEPEST:.4f}, 85°,")
+        self.towards = check.one_of("towards", towards, SIDES)
         self._G = self.J + 0.5
         # L̇ = L × Ω about the middle axis: growth at |L| √((1/I_a − 1/I_b)(1/I_b − 1/I_c)), with 1/I = 4πA, … and
         # |L| = G
@@ -257,10 +253,8 @@ class Racket:
         Raises:
             InvalidInput: for times that are not finite, or fewer than ten members.
         """
-        if isinstance(members, bool) or not isinstance(members, int | np.integer) or members < 10:
-            raise InvalidInput(f"`members` must be a whole number of at least 10; got {shown(members)}.")
+        index = np.arange(check.whole("members", members, 10))
         t = _check_times(times)
-        index = np.arange(members)
         # x = (1 + cos θ)/2 has density ∝ x^4J on the sphere, so that x^(4J+1) is uniform, and ⟨cos θ⟩ = J/(J + ½): the
         # mean of L is J
         share = ((index + 0.5) / members) ** (1.0 / (4.0 * self.J + 1.0))
@@ -297,8 +291,4 @@ def _diagonalise(diagonal: Array, beside: Array) -> tuple[Array, Array]:
 
 
 def _check_times(times: Any) -> Array:
-    require_doubles(times=times)
-    t = np.asarray(times, dtype=float)
-    if t.ndim != 1 or not np.isfinite(t).all():
-        raise InvalidInput(f"`times` must be finite (T,) [s]; got {shown(times)}.")
-    return t
+    return check.array("times", times, ("T",), "s")

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
@@ -127,9 +128,7 @@ class Rotor:
         if self.is_linear and any(term.of_ladder or term.of_Jz for _, term in own):
             raise InvalidInput("a linear molecule (A infinite) must have distortion in J alone, such as D_J.")
         self._terms = [*self._rigid_terms(), *own]
-        self.dipole = np.asarray(dipole, float)
-        if self.dipole.shape != (3,) or not np.isfinite(self.dipole).all():
-            raise InvalidInput(f"`dipole` must be three finite numbers along a, b, c [C m]; got {shown(dipole)}.")
+        self.dipole = check.array("dipole", dipole, (3,), "C m", remedy="Give those along a, b and c.")
         self.spin_weights, self.spin_axis = _check_spins(spin_weights, spin_axis)
 
     @classmethod
@@ -325,10 +324,7 @@ def check_j(name: str, J: int) -> int:
     Raises:
         InvalidInput: otherwise.
     """
-    whole = isinstance(J, int | np.integer) and not isinstance(J, bool)
-    if not (whole and 0 <= J <= LIMITS.max_j):
-        raise InvalidInput(f"`{name}` must be a whole number from 0 to {LIMITS.max_j:,}; got {shown(J)}.")
-    return int(J)
+    return check.whole(name, J, 0, LIMITS.max_j)
 
 
 def _check_constants(constants: Array) -> tuple[float, float, float]:
@@ -358,22 +354,12 @@ def _check_constants(constants: Array) -> tuple[float, float, float]:
 def _member(kind: type[Kind], name: str, value: Any) -> Kind | None:
     if value is None or isinstance(value, kind):
         return value
-    names = [member.name for member in kind]
-    if value not in names:
-        raise InvalidInput(f"`{name}` must be one of {', '.join(names)}; got {shown(value)}.")
-    return kind[value]
+    return kind[check.one_of(name, value, kind.__members__)]
 
 
 def _check_spins(weights: tuple[float, float], axis: str) -> tuple[tuple[float, float], str]:
-    try:
-        even, odd = (float(x) for x in weights)
-    except (TypeError, ValueError):
-        raise InvalidInput(f"`spin_weights` must be two numbers; got {shown(weights)}.") from None
-    if not (math.isfinite(even + odd) and even >= 0.0 and odd >= 0.0 and even + odd > 0.0):
-        raise InvalidInput(f"`spin_weights` must be two numbers, not negative and not both zero; got {shown(weights)}.")
-    if axis not in ("a", "b", "c"):
-        raise InvalidInput(f"`spin_axis` must be a, b or c; got {shown(axis)}.")
-    return (even, odd), axis
+    even, odd = check.array("spin_weights", weights, (2,), least=0, not_all_zero=True).tolist()
+    return (even, odd), check.one_of("spin_axis", axis, ("a", "b", "c"))
 
 
 def _linear_lines(rotor: Rotor, j_max: int) -> tuple[Array, ...]:

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.stats import binom
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.special._spherical_tensors import magnetic_numbers
@@ -94,9 +95,7 @@ def unit_vectors(name: str, vectors: Any) -> Float64[Array, "*batch 3"]:
     Raises:
         InvalidInput: for another shape, zero, or values that are not finite.
     """
-    values = np.asarray(vectors, dtype=float)
-    if values.shape[-1:] != (3,) or not np.isfinite(values).all():
-        raise InvalidInput(f"`{name}` must be finite vectors (…, 3); got {shown(vectors)}.")
+    values = check.array(name, vectors, ("…", 3))
     largest = np.abs(values).max(axis=-1, keepdims=True)
     if not (largest > 0.0).all():
         raise InvalidInput(f"`{name}` must not be zero; got {shown(vectors)}.")
@@ -120,9 +119,7 @@ def orbit_radius(s: float, convention: str = "count") -> float:
     """
     magnetic_numbers(s)
     radii = {"count": s + 0.5, "prequantum": float(s), "casimir": math.sqrt(s * (s + 1.0))}
-    if convention not in radii:
-        raise InvalidInput(f"`convention` must be one of {', '.join(radii)}; got {shown(convention)}.")
-    return radii[convention]
+    return radii[check.one_of("convention", convention, radii)]
 
 
 @known_numbers_only

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
+from polhode._base import check
 from polhode.errors import InvalidInput, shown
 from polhode.formats.paths import as_path
 from polhode.kinds.base import Spec
@@ -197,11 +198,8 @@ def spectrum_within(
     if low > high:
         ends = " and ".join(map(str, bounds.values()))
         raise InvalidInput(f"`lowest` must not be above `highest`; got {ends}.")
-    if isinstance(most, bool) or not isinstance(most, int) or most < 1:
-        raise InvalidInput(f"`most` must be a whole number of lines, 1 or more; got {shown(most)}.")
-    if not isinstance(min_intensity, int | float) or not 0.0 <= min_intensity < math.inf:
-        raise InvalidInput(f"`min_intensity` must be a number of nm² MHz, not negative; got "
-                           f"{shown(min_intensity)}.")
+    check.whole("most", most, 1, what="lines")
+    check.number("min_intensity", min_intensity, "nm² MHz", least=0)
     moment = None if dipole is None else _dipole(dipole, "`dipole`")
     with warnings_as_notes(_place(molecule)) as notes:
         spec = _spec(molecule)

@@ -11,8 +11,9 @@ import math
 import numpy as np
 from scipy.special import gammaln, sph_harm_y
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only, require_doubles
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.special._spherical_tensors import spherical_tensor
 from polhode.spectra.spin import unit_vectors
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
@@ -36,8 +37,7 @@ def symbol_coefficients(operator: Real[ArrayLike, "n n"], kind: str = "weyl") ->
     A = np.asarray(operator, complex)
     if A.ndim != 2 or A.shape[0] != A.shape[1] or not A.size or not np.isfinite(A).all():
         raise InvalidInput(f"`operator` must be a finite square matrix (2s+1, 2s+1); got shape {A.shape}.")
-    if kind not in KINDS:
-        raise InvalidInput(f"`kind` must be one of {', '.join(KINDS)}; got {shown(kind)}.")
+    check.one_of("kind", kind, KINDS)
     n = len(A)
     s = 0.5 * (n - 1)
     k = np.arange(n)

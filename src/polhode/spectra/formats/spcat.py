@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode.errors import InvalidInput, shown
 from polhode.formats.opening import MB, read_text
 from polhode.formats.paths import as_path, write_whole
@@ -148,9 +149,7 @@ def catalogue_of(
     """
     if np.isnan(lines.intensity).any():
         raise InvalidInput("`lines` must have intensities: compute them at a temperature, by custom 300 K.")
-    errors = np.broadcast_to(np.asarray(error, float), lines.frequency.shape) / 1e6
-    if not (np.isfinite(errors).all() and (errors >= 0.0).all()):
-        raise InvalidInput(f"`error` must be finite and not negative [Hz]; got {shown(error)}.")
+    errors = np.broadcast_to(check.array("error", error, None, "Hz", least=0), lines.frequency.shape) / 1e6
     with np.errstate(divide="ignore"):
         brightness = np.log10(lines.intensity * 1e12)
     kept = (brightness >= LIMITS.min_brightness) & (lines.frequency < LIMITS.max_frequency)
