@@ -197,7 +197,7 @@ def test_broken_lattices_are_found(broken, law):
         (lambda: SpinLattice(Lattice([[1.0]], shape=(4,)), bonds=[Bond(0, 0, (0,), 1.0)]), "onsite"),
         (lambda: SpinLattice(Lattice([[1.0]], shape=(4,)), onsite=[[0, 1, 0], [0, 0, 0], [0, 0, 0]]), "symmetric"),
         (lambda: SpinLattice(Lattice([[1.0]], shape=(4,)), field=np.ones((3, 3))), "must fit"),
-        (lambda: SpinLattice(Lattice([[1.0]], shape=(4,)), spin=-1.0), "positive lengths"),
+        (lambda: SpinLattice(Lattice([[1.0]], shape=(4,)), spin=-1.0), "`spin` must be positive finite numbers"),
         (lambda: chain(1).flows, "itself in a periodic lattice"),
         (lambda: fields.exchange_matrix(np.ones((2, 2))), "finite"),
     ],

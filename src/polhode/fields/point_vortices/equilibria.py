@@ -8,11 +8,12 @@ from typing import NamedTuple
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.algebra._functions import Function
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.fields.point_vortices.system import PlaneVortices, SphereVortices
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
@@ -122,9 +123,8 @@ def ring_exponents(count: int, colatitude: float, strength: float = 1.0) -> Comp
     >>> round(float(ring_exponents(7, 0.3).real.max()), 10)
     2.2849105472
     """
-    _check_count(count)
-    if not 0.0 < colatitude < math.pi:
-        raise InvalidInput(f"`colatitude` must be between 0 and π; got {shown(colatitude)}. Give it in rad.")
+    check.whole("count", count, 2, what="vortices")
+    check.number("colatitude", colatitude, "rad", above=0, below=math.pi, rule="between 0 and π")
     sine, cosine = math.sin(colatitude), math.cos(colatitude)
     return _exponents(count, strength / (4.0 * math.pi * sine * sine), (count - 1) * (1.0 + cosine * cosine))
 
@@ -148,9 +148,8 @@ def polygon_exponents(count: int, radius: float, strength: float = 1.0) -> Compl
     >>> round(float(polygon_exponents(8, 1.3).real.max()), 10)
     0.266365774
     """
-    _check_count(count)
-    if not (math.isfinite(radius) and radius > 0.0):
-        raise InvalidInput(f"`radius` must be positive and finite; got {shown(radius)}.")
+    check.whole("count", count, 2, what="vortices")
+    check.number("radius", radius, "m", above=0)
     return _exponents(count, strength / (4.0 * math.pi * radius * radius), 2.0 * (count - 1))
 
 
@@ -160,14 +159,8 @@ def _exponents(count: int, unit: float, bound: float) -> Array:
     return unit * np.sqrt((q * (q - bound)).astype(complex))
 
 
-def _check_count(count: int) -> None:
-    if not isinstance(count, int) or count < 2:
-        raise InvalidInput(f"`count` must be a whole number of vortices, at least 2; got {shown(count)}.")
-
-
 def _one_state(system: SphereVortices | PlaneVortices, state: Real[ArrayLike, "n 3"]) -> Array:
-    if not isinstance(system, SphereVortices | PlaneVortices):
-        raise InvalidInput(f"`system` must be SphereVortices or PlaneVortices; got {type(system).__name__}.")
+    check.instance("system", system, (SphereVortices, PlaneVortices), "SphereVortices or PlaneVortices")
     require_doubles(state=state)
     point = system.check_state(state)
     if point.ndim != 2:

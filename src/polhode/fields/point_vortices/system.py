@@ -8,6 +8,7 @@ from typing import ClassVar, NamedTuple
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import is_traced, known_numbers_only, require_doubles
 from polhode.algebra._functions import Function
 from polhode.algebra.heisenberg import Heisenberg
@@ -194,10 +195,7 @@ class PlaneVortices(AbstractLiePoissonSystem):
         Raises:
             InvalidInput: for numbers that are not finite.
         """
-        require_doubles(positions=positions)
-        if not is_traced(positions) and not np.isfinite(np.asarray(positions, dtype=float)).all():
-            raise InvalidInput(f"`positions` must be finite; got {shown(positions)}.")
-        places = jnp.asarray(positions, dtype=float)
+        places = jnp.asarray(check.array("positions", positions, None, "m", traced=True))
         levels = jnp.broadcast_to(1.0 / self.strengths, places.shape[:-1])
         return jnp.stack([places[..., 1], places[..., 0], levels], axis=-1)
 

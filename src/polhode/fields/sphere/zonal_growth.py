@@ -9,8 +9,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
-from polhode.errors import InvalidInput, shown
 from polhode.fields.sphere.fluid import SphereFluid
 from polhode.fields.sphere.mhd import SphereMHD
 from polhode.types import Array, ArrayLike, Complex128, Real
@@ -51,13 +51,10 @@ def zonal_growth(system: SphereFluid | SphereMHD, state: Real[ArrayLike, "..."],
 
     Source: Baines, J. Fluid Mech. 73 (1976) 193; Gilman & Fox, Astrophys. J. 484 (1997) 439.
     """
-    if not isinstance(system, SphereFluid | SphereMHD):
-        raise InvalidInput(f"`system` must be a SphereFluid or a SphereMHD; got {type(system).__name__}.")
-    n = system.size
-    if isinstance(order, bool) or not isinstance(order, int | np.integer) or not 1 <= order < n:
-        raise InvalidInput(f"`order` must be a whole number from 1 to {n - 1}; got {shown(order)}.")
+    check.instance("system", system, (SphereFluid, SphereMHD), "a SphereFluid or a SphereMHD")
+    order = check.whole("order", order, 1, system.size - 1)
     state = jnp.asarray(system.check_state(state))
-    rates = np.linalg.eigvals(np.asarray(_matrix(system, state * jnp.eye(n), int(order))))
+    rates = np.linalg.eigvals(np.asarray(_matrix(system, state * jnp.eye(system.size), order)))
     fastest = rates[np.argmax(rates.real)]
     return ZonalGrowth(float(fastest.real), float(-fastest.imag))
 

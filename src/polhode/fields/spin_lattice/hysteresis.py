@@ -9,6 +9,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.fields.spin_lattice.system import SpinLattice
@@ -56,8 +57,7 @@ def hysteresis_loop(
     if not system.is_damped or system.field is None:
         raise InvalidInput("`system` must have damping, to come to rest, and a field that is not zero, to be replaced.")
     path = np.asarray(fields, float)
-    if path.ndim != 2 or path.shape[1] != 3 or not np.isfinite(path).all():
-        raise InvalidInput(f"`fields` must be finite rows (F, 3); got {shown(fields)}.")
+    check.array("fields", path, ("F", 3))
 
     def rest(now: Array, field: Array) -> tuple[Array, tuple[Array, Array]]:
         there = eqx.tree_at(lambda s: s.field, system, field)

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.types import ArrayLike, Float64, Real
@@ -138,10 +139,7 @@ def exchange_matrix(
 
 
 def _rows(name: str, value: ArrayLike) -> np.ndarray:
-    try:
-        rows = np.asarray(value, float)
-    except (TypeError, ValueError):
-        raise InvalidInput(f"`{name}` must be rows of numbers; got {shown(value)}.") from None
-    if rows.ndim != 2 or not 1 <= rows.shape[1] <= 3 or not np.isfinite(rows).all():
-        raise InvalidInput(f"`{name}` must be finite rows of one to three numbers; got shape {rows.shape}.")
+    rows = check.array(name, value, ("n", "d"), remedy="Give rows of one to three.")
+    if not 1 <= rows.shape[1] <= 3:
+        check.refuse(name, "rows of one to three numbers", rows.tolist())
     return np.pad(rows, ((0, 0), (0, 3 - rows.shape[1])))

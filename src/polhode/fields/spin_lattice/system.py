@@ -9,6 +9,7 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import is_traced, known_numbers_only
 from polhode.algebra._functions import Function
 from polhode.algebra.power import Power
@@ -85,23 +86,19 @@ class SpinLattice(AbstractLiePoissonSystem):
         dipolar: float = 0.0,
         damping: float = 0.0,
     ) -> None:
-        if not isinstance(lattice, Lattice):
-            raise InvalidInput(f"`lattice` must be a polhode.fields.Lattice; got {shown(lattice)}.")
-        self.lattice, count = lattice, lattice.sites
-        lengths = np.broadcast_to(np.asarray(spin, float), (count,))
-        if not (np.isfinite(lengths).all() and (lengths > 0).all()):
-            raise InvalidInput(f"`spin` must be positive lengths; got {shown(spin)}.")
-        self.spin = tuple(lengths.tolist())
+        self.lattice = check.instance("lattice", lattice, Lattice, "a polhode.fields.Lattice")
+        count = lattice.sites
+        self.spin = tuple(np.broadcast_to(check.array("spin", spin, above=0), (count,)).tolist())
         self.bonds = checked_bonds(lattice, bonds)
         self.algebra = Power(SO3(), (*lattice.shape, count))
         self.onsite = _checked_onsite(onsite, count)
-        numbers = np.asarray(field, float)
+        numbers = check.array("field", field)
         try:
             np.broadcast_to(numbers, self.algebra.element_shape)
         except ValueError:
             raise InvalidInput(f"`field` must fit {self.algebra.element_shape}; got {numbers.shape}.") from None
-        if not np.isfinite([*numbers.flat, damping, dipolar]).all() or damping < 0.0:
-            raise InvalidInput("`field`, `dipolar` and `damping` must be finite, and `damping` not negative.")
+        check.number("dipolar", dipolar)
+        check.number("damping", damping, least=0)
         if dipolar and any(lattice.periodic):
             raise InvalidInput("`dipolar` needs open boundaries; give the lattice periodic=False.")
         # without a field there is none to turn about, which saves a turn of every spin in each step

@@ -5,8 +5,8 @@ from __future__ import annotations
 import equinox as eqx
 import jax.numpy as jnp
 
+from polhode._base import check
 from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
-from polhode.errors import InvalidInput, shown
 from polhode.types import Array, Float64
 
 
@@ -29,8 +29,7 @@ class Bidiagonal(AbstractLieAlgebra):
     n: int = eqx.field(static=True)
 
     def __check_init__(self) -> None:
-        if not isinstance(self.n, int) or self.n < 2:
-            raise InvalidInput(f"`n` must be the order of matrices, at least 2; got {shown(self.n)}.")
+        check.whole("n", self.n, 2, remedy="It is the order of the matrices.")
 
     @property
     def dim(self) -> int:

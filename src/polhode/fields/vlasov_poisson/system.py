@@ -10,6 +10,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.algebra._functions import Function
 from polhode.algebra.heisenberg import Heisenberg
@@ -56,8 +57,7 @@ class VlasovPoisson(AbstractLiePoissonSystem):
     @known_numbers_only
     def __init__(self, length: float, modes: int, particles: int) -> None:
         for name, value in (("modes", modes), ("particles", particles)):
-            if not isinstance(value, int) or value < 1:
-                raise InvalidInput(f"`{name}` must be a whole number, at least 1; got {shown(value)}.")
+            check.whole(name, value, 1)
         self.length, self.modes = checked_number("length", length, above=0.0), modes
         self.algebra = Power(Heisenberg(1), particles)
 
@@ -185,12 +185,9 @@ def quiet_start(
     count = system.algebra.copies
     if not isinstance(beams, int) or beams < 1 or count % beams:
         raise InvalidInput(f"`beams` must divide the system's {count} particles; got {shown(beams)}.")
-    if not -1.0 < amplitude < 1.0:
-        raise InvalidInput(f"`amplitude` must be between −1 and 1; got {shown(amplitude)}.")
-    if not isinstance(mode, int) or mode < 1:
-        raise InvalidInput(f"`mode` must be a whole number, at least 1; got {shown(mode)}.")
-    if not (np.isfinite(fastest) and fastest > 0.0):
-        raise InvalidInput(f"`fastest` must be positive and finite; got {shown(fastest)}.")
+    check.number("amplitude", amplitude, above=-1, below=1)
+    check.whole("mode", mode, 1)
+    check.number("fastest", fastest, above=0)
     speeds = fastest * (2.0 * (np.arange(beams) + 0.5) / beams - 1.0)
     shares = np.asarray(distribution(speeds), dtype=float)
     if shares.shape != speeds.shape or not np.isfinite(shares).all() or (shares < 0.0).any() or not shares.any():

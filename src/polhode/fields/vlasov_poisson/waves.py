@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.special import wofz
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.types import Array, Float64
@@ -131,9 +132,7 @@ def plasma_wave(beams: Sequence[Beam], wavenumber: float, guess: complex | None 
     >>> round(wave.frequency, 9), round(wave.growth, 9)
     (1.415661889, -0.153359467)
     """
-    beams, k = _check_beams(beams), float(wavenumber)
-    if not (math.isfinite(k) and k > 0.0):
-        raise InvalidInput(f"`wavenumber` must be positive and finite; got {shown(wavenumber)}.")
+    beams, k = _check_beams(beams), check.number("wavenumber", wavenumber, above=0)
     if guess is None:
         mean = sum(b.share * b.drift for b in beams)
         square = sum(b.share * (b.spread**2 + (b.drift - mean) ** 2) for b in beams)
