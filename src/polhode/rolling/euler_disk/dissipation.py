@@ -18,10 +18,9 @@ from typing import ClassVar
 import equinox as eqx
 import jax
 import jax.numpy as jnp
-import numpy as np
 
-from polhode._base.arrays import known_numbers_only, require_doubles
-from polhode.errors import InvalidInput, shown
+from polhode._base import check
+from polhode._base.arrays import known_numbers_only
 from polhode.rolling.euler_disk._mechanics import RollingMechanics
 from polhode.types import Array, ArrayOrFloat, Float64
 
@@ -239,11 +238,4 @@ def slow_push(
 
 
 def _positive(name: str, value: float, unit: str) -> Array:
-    require_doubles(**{name: value})
-    number = np.asarray(value, dtype=float)
-    if number.shape != () or not (np.isfinite(number) and number > 0):
-        raise InvalidInput(
-            f"`{name}` must be a positive finite number [{unit}]; got {shown(value)}. "
-            "Leave the law out where it is zero."
-        )
-    return jnp.asarray(number)
+    return jnp.asarray(check.number(name, value, unit, above=0, remedy="Leave the law out where it is zero."))

@@ -19,8 +19,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
-from polhode.errors import InvalidInput, NotConverged, shown
+from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators import _embedded as embedded
 from polhode.integrators._adaptive import TOLERANCE, solve_adaptively
@@ -397,11 +398,8 @@ def _distances(spans: Array, fitted: slice, singularity: Singularity) -> Array:
 def _check_start(disk: EulerDisk, state: Real[ArrayLike, "8"], decades: float, samples_per_decade: int) -> Array:
     if not isinstance(disk, EulerDisk) or not disk.dissipation:
         raise InvalidInput("`disk` must be an EulerDisk with `dissipation`: without it the disk rolls for ever.")
-    if not (math.isfinite(decades) and decades > 0.0 and samples_per_decade >= 2):
-        raise InvalidInput(
-            "`decades` must be positive and `samples_per_decade` at least 2; "
-            f"got {shown(decades)} and {shown(samples_per_decade)}."
-        )
+    check.number("decades", decades, above=0)
+    check.whole("samples_per_decade", samples_per_decade, 2)
     start = disk.check_state(state)
     if jnp.ndim(start) != 1:
         raise InvalidInput(f"`state` must be one state (8,); got shape {jnp.shape(start)}.")

@@ -11,6 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.bodies._pivot import STANDARD_GRAVITY
 from polhode.errors import InvalidInput, shown
@@ -88,15 +89,11 @@ class EulerDisk(AbstractSystem):
         dissipation: Sequence[RollingDissipation] | RollingDissipation = (),
     ) -> None:
         m, a, g = (_positive(*x) for x in (("mass", mass, "kg"), ("radius", radius, "m"), ("gravity", gravity, "m/s²")))
-        require_doubles(thickness=thickness)
         for name, value, unit in (("mass", m, "kg"), ("radius", a, "m"), ("gravity", g, "m/s²")):
             check_size(name, value, unit, LIMITS.max_size)
-        h = float(np.asarray(thickness, dtype=float))
-        if not (math.isfinite(h) and 0.0 <= h <= 2.0 * a):
-            raise InvalidInput(
-                f"`thickness` must be from 0 to the diameter {2.0 * a:.6g} m: a disk is not thicker than wide; "
-                f"got {shown(thickness)} m. Check whether it is half of it, or in millimetres."
-            )
+        remedy = "A disk is not thicker than wide: check whether it is half of it, or in millimetres."
+        rule = f"from 0 to the diameter {2.0 * a:.6g}"
+        h = check.number("thickness", thickness, "m", least=0, most=2.0 * a, rule=rule, remedy=remedy)
         C = 0.5 * m * a * a if axial_moment is None else _positive("axial_moment", axial_moment, "kg m²")
         uniform = m * (a * a / 4.0 + h * h / 12.0)
         A = uniform if diametral_moment is None else _positive("diametral_moment", diametral_moment, "kg m²")
@@ -438,8 +435,4 @@ def _as_jax(function: LegendreFunction) -> LegendreFunction:
 
 
 def _positive(name: str, value: float, unit: str) -> float:
-    require_doubles(**{name: value})
-    number = np.asarray(value, dtype=float)
-    if number.shape != () or not (np.isfinite(number) and number > 0):
-        raise InvalidInput(f"`{name}` must be a positive finite number [{unit}]; got {shown(value)}.")
-    return float(number)
+    return check.number(name, value, unit, above=0)

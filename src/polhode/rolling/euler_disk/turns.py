@@ -9,6 +9,7 @@ from typing import NamedTuple
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators import _diffrax as diffrax
@@ -99,8 +100,7 @@ def rolling_path(
         InvalidInput: for a span that is not positive and finite.
         NotConverged: where no step is short enough.
     """
-    if not 0.0 < span < math.inf:
-        raise InvalidInput(f"`span` must be positive and finite; got {shown(span)} s.")
+    check.number("span", span, "s", above=0)
     piece = FALL_SAMPLES - 1
     step = span / max(samples - 1, piece)
     ticks, times, states = step * np.arange(FALL_SAMPLES), [np.array([since])], [np.asarray(state)[None]]
