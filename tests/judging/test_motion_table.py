@@ -187,11 +187,11 @@ def test_motions_are_chosen_by_family_kind_and_turning():
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"family": "flip"}, r"`family` must be one of short-axis, .*top-random; got 'flip'"),
-        ({"kind": "top"}, r"`kind` must be one of free body, Lagrange top; got 'top'"),
+        ({"family": "flip"}, r"`family` must be one of \"short-axis\", .*\"top-random\"; got 'flip'"),
+        ({"kind": "top"}, r"`kind` must be \"free body\" or \"Lagrange top\"; got 'top'"),
         ({"family": "flips", "kind": "Lagrange top"}, r"family 'flips' has no motions of kind 'Lagrange top'"),
-        ({"up_to": -1.0}, r"`up_to` must be 0 rad or more; got -1.0"),
-        ({"up_to": float("nan")}, r"`up_to` must be 0 rad or more; got nan"),
+        ({"up_to": -1.0}, r"`up_to` must be a number that is not negative .rad.; got -1.0"),
+        ({"up_to": float("nan")}, r"`up_to` must be a number that is not negative .rad.; got nan"),
     ],
 )
 def test_what_the_table_does_not_have_is_refused(given, said):

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from polhode.errors import InvalidInput, shown
+from polhode._base import check
 from polhode.figures import style
 from polhode.judging._run import EngineRun
 from polhode.types import Array
@@ -27,8 +27,7 @@ def engine_errors(run: EngineRun, name: str = "", runs: Mapping[str, EngineRun] 
     Raises:
         InvalidInput: for anything else than an ``EngineRun``.
     """
-    if not isinstance(run, EngineRun):
-        raise InvalidInput(f"`run` must be an EngineRun, as a Judgement has it; got {shown(run)}.")
+    check.instance("run", run, EngineRun, "an EngineRun, as a Judgement has it")
     figure = style.new_figure(height=5.2 if runs else 3.7)
     upper, middle, *lower = figure.subplots(3 if runs else 2, 1, sharex=True)
     _plot(upper, run.turned, run.angle, color=style.BLUE, label="error of attitude")

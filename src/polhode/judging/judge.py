@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode.errors import InvalidInput, shown
 from polhode.exact.free_body import FreeMotion
 from polhode.formats.paths import as_path
@@ -19,7 +20,7 @@ from polhode.judging._written_states import judge_states
 from polhode.judging.report import JudgeReport
 from polhode.kinds.reading import read_spec
 from polhode.reports.report import with_inputs
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import ArrayLike, Real
 
 
 class JudgeThresholds(NamedTuple):
@@ -89,8 +90,8 @@ def judge(
     convention = StateConvention(variable, axes)
     tensor = checked_tensor(inertia)
     usual = default_start(tensor)
-    q = usual[0] if attitude is None else _checked_vector("attitude", attitude, 4)
-    L = usual[1] if momentum is None else _checked_vector("momentum", momentum, 3)
+    q = usual[0] if attitude is None else check.array("attitude", attitude, (4,))
+    L = usual[1] if momentum is None else check.array("momentum", momentum, (3,), "kg m²/s")
     if abs(np.linalg.norm(q) - 1.0) > LIMITS.length_tolerance:
         raise InvalidInput(f"`attitude` must have length 1; got length {np.linalg.norm(q):.6g}. Divide it by its norm.")
     if not L.any():
@@ -99,9 +100,7 @@ def judge(
     if not (isinstance(dt, int | float) and math.isfinite(dt) and 0.0 < dt * rate <= LIMITS.max_step_angle):
         most = LIMITS.max_step_angle
         raise InvalidInput(f"`dt` must be a step of {most} rad at most, here {most / rate:.4g} s; got {shown(dt)}.")
-    if isinstance(steps, bool) or not isinstance(steps, int) or not LIMITS.min_steps <= steps <= LIMITS.max_steps:
-        raise InvalidInput(f"`steps` must be a whole number from {LIMITS.min_steps} to {LIMITS.max_steps}; got "
-                           f"{shown(steps)}.")
+    check.whole("steps", steps, LIMITS.min_steps, LIMITS.max_steps)
     engine = SteppedEngine(step, tensor, convention)
     return JudgeReport(name, (judge_engine(engine, q / np.linalg.norm(q), L, float(dt), steps),))
 
@@ -143,13 +142,3 @@ def _of_spec(path: Path) -> GivenMotion:
     axes = np.eye(3) if motion.axes is None else np.asarray(motion.axes)
     inertia = axes @ np.diag(np.asarray(motion.moments)) @ axes.T
     return GivenMotion(path.stem, inertia, np.asarray(motion.attitude_at_epoch), np.asarray(motion.momentum_at_epoch))
-
-
-def _checked_vector(name: str, value: Any, size: int) -> Float64[Array, "n"]:
-    try:
-        vector = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        vector = np.empty(0)
-    if vector.shape != (size,) or not np.isfinite(vector).all():
-        raise InvalidInput(f"`{name}` must be {size} finite numbers; got {shown(value)}.")
-    return vector

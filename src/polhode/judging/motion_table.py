@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode._base import check
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.types import Array, Bool, Float64
 
@@ -72,13 +73,11 @@ def reference_motions(
     >>> motions[0].name, motions[0].times.shape, motions[0].attitudes.shape
     ('flips, 10 deg to the first axis', (9,), (9, 4))
     """
-    if not up_to >= 0.0:
-        raise InvalidInput(f"`up_to` must be 0 rad or more; got {shown(up_to)}.")
+    check.number("up_to", up_to, "rad", least=0, infinite=True)
     motions = _load_shipped()
     for name, wanted in (("family", family), ("kind", kind)):
-        known = dict.fromkeys(getattr(motion, name) for motion in _load_shipped())
-        if wanted is not None and wanted not in known:
-            raise InvalidInput(f"`{name}` must be one of {', '.join(known)}; got {shown(wanted)}.")
+        if wanted is not None:
+            check.one_of(name, wanted, dict.fromkeys(getattr(motion, name) for motion in _load_shipped()))
         motions = tuple(motion for motion in motions if wanted in (None, getattr(motion, name)))
     if not motions:
         raise InvalidInput(f"family {shown(family)} has no motions of kind {shown(kind)}; give one of the two.")
