@@ -123,5 +123,5 @@ def test_rendering():
     assert r"so(3)\* & more\_" in one.render("markdown")
     assert r"\& more\_" in one.render("latex") and r"E &\Longleftarrow I_{1} < I_{2}" in one.render("latex")
     assert "&amp; more_" in one.render("html") and "<mo>˙</mo>" in one.render("html")
-    with pytest.raises(InvalidInput, match="text, markdown, latex, html"):
+    with pytest.raises(InvalidInput, match='"text", "markdown", "latex", "html"'):
         one.render("pdf")

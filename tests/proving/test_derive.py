@@ -43,7 +43,7 @@ def test_a_page_is_printed_or_written(capsys, tmp_path, monkeypatch):
 @pytest.mark.long_cases("arguments4-page.html")
 @pytest.mark.parametrize(("arguments", "message"), [
     (["clebsh"], "Did you mean clebsch?"),
-    (["clebsch", "--to", "pdf"], "--to must be one of text, markdown, latex, html"),
+    (["clebsch", "--to", "pdf"], '--to must be one of "text", "markdown", "latex", "html"'),
     (["clebsch", "--out", "page.pdf"], "--out must end with .txt, .md, .tex, .html"),
     (["--to", "html"], "name it"),
     (["clebsch", "--out", "/no/such/folder/page.html"], "page.html"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, overload
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.analysis._exact_arithmetic import check_digits, import_flint
 from polhode.errors import InvalidInput, shown
@@ -132,8 +133,7 @@ def certify(
     _refuse(of_motions, "a motion's in closed form; of a system give `radius`")
     from polhode.systems.base import AbstractSystem
 
-    if not isinstance(system, AbstractSystem):
-        raise InvalidInput(f"`system` must be a system, or a motion in closed form; got {shown(system)}.")
+    check.instance("system", system, AbstractSystem, "a system, or a motion in closed form")
     if state is None or times is None:
         raise InvalidInput(f"`state` and `times` must be given for a system, here {shown(type(system).__name__)}: "
                            "only a motion in closed form has its own start.")

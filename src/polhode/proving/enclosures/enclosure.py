@@ -11,7 +11,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.arrays import is_positive, require_doubles
+from polhode._base import check
+from polhode._base.arrays import require_doubles
 from polhode.analysis._exact_arithmetic import import_flint
 from polhode.analysis._printing import count_things, print_answer, write_numbers, write_span
 from polhode.analysis._tangent_flow import one_state
@@ -430,8 +431,7 @@ def _check_arguments(
     gaps = np.sign(np.diff(values)) if values.ndim == 1 else np.zeros(1)
     if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all() or not (gaps * gaps[:1] > 0).all():
         raise InvalidInput(f"`times` must be at least two finite times [s] in one direction; got {shown(times)}.")
-    if not (is_positive(radius) and radius < 1.0):
-        raise InvalidInput(f"`radius` must be a positive number below one; got {shown(radius)}.")
+    check.number("radius", radius, above=0, below=1)
     jumps = np.ravel(np.asarray(system.jumps, float))
     low, high = sorted((values[0], values[-1]))
     if ((jumps > low) & (jumps < high)).any():

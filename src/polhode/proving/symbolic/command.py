@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from polhode._base import check
 from polhode.cli.terminal import spell_command
 from polhode.errors import InvalidInput, one_line, shown
 from polhode.formats.paths import write_whole
@@ -22,8 +23,8 @@ def run_derive(name: str | None, form: str | None, out: Path | None) -> None:
         return
     from polhode.proving.symbolic.rendering import ENDINGS, FORMS
 
-    if form is not None and form not in FORMS:
-        raise InvalidInput(f"--to must be one of {', '.join(FORMS)}; got {shown(form)}.")
+    if form is not None:
+        check.one_of("--to", form, FORMS)
     if out is not None and form is None:
         form = ENDINGS.get(out.suffix.lower())
         if form is None:

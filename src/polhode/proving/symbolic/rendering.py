@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from importlib import resources
 from typing import Any
 
-from polhode.errors import InvalidInput, shown
+from polhode._base import check
 from polhode.proving.symbolic._gate import PrettyPrinter, mathml, sympy
 
 TEXT_WIDTH = 100  # of terminal text; wider formulas are written in lines
@@ -97,9 +97,7 @@ class Page:
         Raises:
             InvalidInput: for another form.
         """
-        if form not in FORMS:
-            raise InvalidInput(f"the form of a page must be one of {', '.join(FORMS)}; got {shown(form)}.")
-        return FORMS[form](self)
+        return FORMS[check.one_of("form", form, FORMS)](self)
 
 
 def _text_page(page: Page) -> str:

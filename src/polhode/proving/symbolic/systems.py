@@ -12,6 +12,7 @@ import jax.numpy as jnp
 import numpy as np
 from flint import fmpq_mpoly
 
+from polhode._base import check
 from polhode._base.rational.numbers import EXACT, nearest_double, read_number
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.constants import from_structure_constants
@@ -51,8 +52,7 @@ class SymbolicSystem:
     """
 
     def __init__(self, bracket: LiePoissonBracket, hamiltonian: Any) -> None:
-        if not isinstance(bracket, LiePoissonBracket):
-            raise InvalidInput(f"`bracket` must be a LiePoissonBracket; got {shown(bracket)}.")
+        check.instance("bracket", bracket, LiePoissonBracket, "a LiePoissonBracket")
         self.bracket, self.hamiltonian = bracket, bracket.read(hamiltonian)
 
     @classmethod
@@ -72,8 +72,7 @@ class SymbolicSystem:
         Raises:
             InvalidInput: for a system that loses energy, or an energy that is no polynomial.
         """
-        if not isinstance(system, AbstractLiePoissonSystem):
-            raise InvalidInput(f"`system` must be a Lie–Poisson system; got {shown(type(system).__name__)}.")
+        check.instance("system", system, AbstractLiePoissonSystem, "a Lie–Poisson system")
         if not system.conserves_energy:
             raise InvalidInput(f"{type(system).__name__} loses energy, and no Hamiltonian alone gives its motion. Take "
                                "the conservative system.")
