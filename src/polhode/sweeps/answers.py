@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 import numpy as np
 from scipy.stats import binomtest
 
+from polhode._base import check
 from polhode._base.compiled.threads import available_cores
-from polhode.errors import InvalidInput, shown
 from polhode.kinds.registry import find_kind
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
@@ -66,11 +66,9 @@ def sweep(
     Raises:
         InvalidInput: for mistakes in the spec, stores of other sweeps, and where disk or cluster fail.
     """
-    if not isinstance(spec, str | os.PathLike):
-        raise InvalidInput(f"`spec` must be the path of a file; got {shown(spec)}.")
-    whole = isinstance(workers, int) and not isinstance(workers, bool)
-    if workers is not None and not (whole and workers >= 1):
-        raise InvalidInput(f"`workers` must be a whole number, at least 1, or None; got {shown(workers)}.")
+    check.instance("spec", spec, (str, os.PathLike), "the path of a file")
+    if workers is not None:
+        check.whole("workers", workers, 1)
     work = Sweep.of(read_plan(spec))
     path = Path(f"{Path(spec).stem}.zarr") if store is None else Path(store)
     count = work.usual_workers() if workers is None and scheduler is None else workers or available_cores()
