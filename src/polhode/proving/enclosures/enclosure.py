@@ -128,12 +128,12 @@ class _Proof:
     def run(self) -> Enclosure:
         """Return the enclosures at all times."""
         samples = [self._sample()]
-        with keep_interrupts() as check:
+        with keep_interrupts() as check_interrupts:
             now = self.flint.arb(float(self.times[0]))
             for time in self.times[1:]:
                 end = self.flint.arb(float(time))
                 while True:
-                    check()
+                    check_interrupts()
                     left = (end - now) * self.forth
                     box, disc = self._bound(left)
                     whole = self.flint.arb(SHARE * disc)
