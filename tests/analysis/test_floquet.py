@@ -88,7 +88,7 @@ def test_derivatives_of_complex_states():
 @pytest.mark.parametrize(
     ("state", "period", "error", "words"),
     [
-        ([1.0, 1.0, 1.0], -1.0, InvalidInput, "`period` must be a positive finite time"),
+        ([1.0, 1.0, 1.0], -1.0, InvalidInput, "`period` must be positive and finite"),
         ([8.485, 8.485, 27.0], 0.6, NotConverged, "is an equilibrium of Lorenz"),
         ([1.0, 1.0, 200.0], 0.01, NotConverged, "no periodic motion of Lorenz|is an equilibrium"),
     ],

@@ -100,7 +100,7 @@ def test_errors_hold_in_most_runs():
     [
         (([[1.0, 1.0, 1.0]], (0.0, 1.0)), r"one state, no batch; got shape \(1, 3\)"),
         (([1.0, 1.0, 1.0], (0.0, 0.0)), "a first and another last time"),
-        (([1.0, 1.0, 1.0], (0.0, 1.0), 4), "`count` must be from 1 to 3"),
+        (([1.0, 1.0, 1.0], (0.0, 1.0), 4), "`count` must be a whole number from 1 to 3"),
     ],
 )
 def test_wrong_arguments_are_refused(arguments, words):

@@ -98,5 +98,5 @@ def test_moments_that_are_equal_but_for_rounding_have_a_degenerate_rest(gap, deg
 
 def test_digits_have_a_bound():
     assert check_digits(10_000) == 10_000
-    with pytest.raises(InvalidInput, match="from 1 to 10000"):
+    with pytest.raises(InvalidInput, match="from 1 to 10,000"):
         check_digits(10_001)

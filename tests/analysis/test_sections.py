@@ -71,9 +71,9 @@ def test_an_event_ends_the_search():
 
 @pytest.mark.parametrize(("change", "said"), [
     ({"state": np.ones((2, 3))}, "`state` must be one state"), ({"times": (1.0, 1.0)}, "`times` must be"),
-    ({"times": (0.0, np.inf)}, "`times` must be"), ({"direction": "up"}, "`direction` must be one of 'rising'"),
+    ({"times": (0.0, np.inf)}, "`times` must be"), ({"direction": "up"}, '`direction` must be one of "rising"'),
     ({"state": 1e-200 * MOMENTUM}, "`state` must be of a size within"),
-    ({"most": 0}, "`most` must be a positive whole number"),
+    ({"most": 0}, "`most` must be a whole number, at least 1"),
     ({"surface": lambda t, point: jnp.floor(point[0]) - 0.5}, "needs Taylor series, .* Simulate it with close samples"),
     ({"surface": lambda t, point: point}, r"`surface` must be one real number .*got shape \(3,\). Choose"),
     ({"surface": lambda t, point: point[0] > 0.0}, "got one of type bool. Give what is compared instead"),

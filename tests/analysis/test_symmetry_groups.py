@@ -101,7 +101,7 @@ def test_a_part_of_a_group_is_refused():
 
 @pytest.mark.parametrize(
     ("low", "high", "tolerance", "said"),
-    [(1.0, 2.0, 1e-9, "must differ"), (6.0, 1.0, 1e-9, "order"), (1.0, np.inf, 1e-9, "finite"),
+    [(1.0, 2.0, 1e-9, "must differ"), (6.0, 1.0, 1e-9, "number above 6"), (1.0, np.inf, 1e-9, "finite"),
      (1.0, 6.0, 0.0, "tolerance")],
 )  # fmt: skip
 def test_thresholds_that_are_none(low, high, tolerance, said):

@@ -36,7 +36,7 @@ def test_the_rotational_temperature_is_that_of_the_rotational_constant():
         (lambda: analysis.thermal_momentum(WATER, np.inf), "`temperature` must be positive"),
         (lambda: analysis.thermal_momentum(-WATER, 1.0), "not negative"),
         (lambda: analysis.rotational_temperature((1.0, 0.0, 1.0)), "positive"),
-        (lambda: analysis.rotational_temperature((1.0, 2.0)), "must be three"),
+        (lambda: analysis.rotational_temperature((1.0, 2.0)), "shape"),
     ],
 )
 def test_what_is_refused(call, words):

@@ -32,7 +32,7 @@ def test_a_leaning_axis_has_its_angle_and_azimuth(degrees):
 def test_a_free_body_does_not_lean():
     with pytest.raises(InvalidInput, match="mgl = 0"):
         systems.HeavyTop((1.0, 1.0, 0.5), 0.0).leaning(0.1)
-    with pytest.raises(InvalidInput, match="`angle` must be finite"):
+    with pytest.raises(InvalidInput, match="`angle` must be a finite number"):
         systems.HeavyTop((1.0, 1.0, 0.5), 1.0).leaning(np.nan)
 
 

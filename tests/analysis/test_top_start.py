@@ -103,7 +103,7 @@ def test_the_least_spin_is_where_the_roots_meet():
     ("call", "words"),
     [
         (lambda: analysis.top_velocity(SYMMETRIC, SYMMETRIC.leaning(0.0), nutation_rate=1.0), "axis that leans"),
-        (lambda: analysis.top_velocity(SYMMETRIC, SYMMETRIC.leaning(0.3), math.nan), "finite numbers"),
+        (lambda: analysis.top_velocity(SYMMETRIC, SYMMETRIC.leaning(0.3), math.nan), "`spin_rate` must be"),
         (lambda: analysis.steady_precession_at(LEANING, 0.5, 9.0), "symmetric about the line"),
         (lambda: analysis.steady_precession_at(systems.HeavyTop((1.0, 1.0, 0.5), 0.0), 0.5, 9.0), "which lie apart"),
         (lambda: analysis.steady_precession_at(SYMMETRIC, 0.0, 9.0), "got a tilt of 0°"),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copyreg
 import math
-import numbers
 from collections.abc import Callable, Iterable, Sequence
 from decimal import Decimal
 from fractions import Fraction
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.extras import needing
 from polhode._base.rational.numbers import as_fmpq, read_number
 from polhode.errors import InvalidInput, NotConverged, shown
@@ -88,9 +88,7 @@ def check_digits(digits: int) -> int:
     Raises:
         InvalidInput: unless it is a whole number from 1 to 10000.
     """
-    if isinstance(digits, bool) or not isinstance(digits, numbers.Integral) or not 1 <= digits <= LIMITS.max_digits:
-        raise InvalidInput(f"`digits` must be a whole number from 1 to {LIMITS.max_digits}; got {shown(digits)}.")
-    return int(digits)
+    return check.whole("digits", digits, 1, LIMITS.max_digits)
 
 
 class Wanted(NamedTuple):

@@ -5,8 +5,8 @@ from __future__ import annotations
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.arrays import require_doubles
-from polhode.errors import InvalidInput, shown
+from polhode._base import check
+from polhode.errors import InvalidInput
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import AdaptiveMotion, solve_adaptively
 from polhode.integrators._series import NoSeries, Taylor, has_series, solve_by_series
@@ -108,11 +108,11 @@ def check_start(
     Raises:
         InvalidInput: if it is not a system, for a batch of states, or for invalid times.
     """
-    require_doubles(times=times)
-    start, ends = one_state(system, state), np.asarray(times, dtype=float)
-    if ends.shape != (2,) or not np.isfinite(ends).all() or ends[0] == ends[1]:
-        raise InvalidInput(f"`times` must be a first and another last time [s], both finite; got {shown(times)}.")
-    return start, float(ends[0]), float(ends[1])
+    start = one_state(system, state)
+    first, last = check.array("times", times, (2,), "s").tolist()
+    if first == last:
+        check.refuse("times", "a first and another last time [s]", times)
+    return start, first, last
 
 
 def compute_multipliers(

@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode._base.arrays import known_numbers_only, require_doubles
+from polhode._base import check
+from polhode._base.arrays import known_numbers_only
 from polhode.algebra._functions import Function
 from polhode.analysis._branches import LIMITS as BRANCH_LIMITS
 from polhode.analysis._branches import Family, Place, crossings, follow, is_on, step_onto_branch, trace_family
@@ -276,8 +277,7 @@ def _exchanges(family: Family, path: list[Place]) -> Iterator[tuple[str, Place]]
 
 
 def _limits(limits: ArrayLike) -> tuple[float, float]:
-    require_doubles(limits=limits)
-    ends = np.asarray(limits, dtype=float)
-    if ends.shape != (2,) or not np.isfinite(ends).all() or not ends[0] < ends[1]:
-        raise InvalidInput(f"`limits` must be a lowest and a higher value, both finite; got {shown(limits)}.")
-    return float(ends[0]), float(ends[1])
+    low, high = check.array("limits", limits, (2,)).tolist()
+    if not low < high:
+        check.refuse("limits", "a lowest and a higher value", limits)
+    return low, high

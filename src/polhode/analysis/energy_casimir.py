@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.analysis._conserved_function import ConservedFunction
 from polhode.analysis._printing import print_answer, write_numbers
@@ -37,7 +38,7 @@ from polhode.analysis._reasons import (
 from polhode.analysis._second_variation import Leaf, null_space, scale_leaf
 from polhode.analysis.certificate import Certificate, Subject
 from polhode.certificates._definite import definite_combination
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Complex128, Float64, Real
 
 
@@ -344,8 +345,7 @@ def _check(A: Array, g: Array, H: Array, dC: Array, ddC: Array, names: Sequence[
         )
     if not all(np.isfinite(x).all() for x in (A, g, H, dC, ddC)):
         raise InvalidInput("the matrices at the equilibrium must be finite; got NaN or an infinity.")
-    if not 0.0 <= tolerance < 1.0:
-        raise InvalidInput(f"`tolerance` must be a relative error, at least 0 and below 1; got {shown(tolerance)}.")
+    check.number("tolerance", tolerance, least=0, below=1, remedy="It is a relative error.")
 
 
 def _largest_real_part(mode: Array) -> Array:

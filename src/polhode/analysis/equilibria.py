@@ -10,6 +10,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.algebra._functions import Function
 from polhode.analysis._conserved import Energy, Source, choose_casimirs, choose_unit
@@ -58,9 +59,7 @@ def find_equilibria(
             or a system that does not move by its energy alone.
     """
     checked = 4  # starts at which the system must move as its energy says
-    if not isinstance(system, AbstractLiePoissonSystem):
-        raise InvalidInput(f"`system` must be a Lie–Poisson system; got {type(system).__name__}.")
-    algebra = system.algebra
+    algebra = check.instance("system", system, AbstractLiePoissonSystem, "a Lie–Poisson system").algebra
     mu = as_points(algebra, state)
     if mu.shape != algebra.element_shape or not bool(jnp.any(mu != 0)):
         raise InvalidInput(f"`state` must be one point {algebra.element_shape} other than zero; got shape {mu.shape}.")

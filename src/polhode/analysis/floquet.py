@@ -7,10 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.analysis._printing import print_answer, write_numbers
 from polhode.analysis._tangent_flow import TangentFlow, check_start, compute_multipliers
-from polhode.errors import InvalidInput, NotConverged, shown
+from polhode.errors import NotConverged
 from polhode.systems.base import AbstractSystem
 from polhode.types import ArrayLike, Complex128, Double, Float64, Real
 
@@ -124,8 +125,7 @@ def periodic_motion(
     """
     newton_steps = 30
     furthest = 0.3  # of the state's size and of the period: the longest of Newton's steps
-    if not (np.ndim(period) == 0 and math.isfinite(period) and period > 0):
-        raise InvalidInput(f"`period` must be a positive finite time [s]; got {shown(period)}.")
+    check.number("period", period, "s", above=0)
     start, first, _ = check_start(system, state, (first, first + 1.5 * period))
     flow = TangentFlow(system, start, (first, first + 1.5 * period))
     z, T, best = flow.flat(start), float(period), math.inf

@@ -6,12 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.analysis._conserved_function import ConservedFunction
 from polhode.analysis._reasons import AxisOfFreeBody
 from polhode.analysis.certificate import Subject
 from polhode.analysis.energy_casimir import Stability, energy_casimir
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.types import ArrayLike, Real
 
 
@@ -34,12 +35,9 @@ def axis_stability(moments: Real[ArrayLike, "3"], momentum_norm: float) -> tuple
 
     Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, theorem 15.3.1 (with its converse).
     """
-    I = np.asarray(moments, dtype=float)  # noqa: E741
-    if I.shape != (3,) or not (np.isfinite(I).all() and (I > 0).all()):
-        raise InvalidInput(f"`moments` must be three positive numbers; got {shown(np.asarray(moments).tolist())}.")
-    if not (np.isfinite(momentum_norm) and momentum_norm >= 0):
-        raise InvalidInput(f"`momentum_norm` must be finite and not negative; got {shown(momentum_norm)}.")
-    norm, point = float(momentum_norm), float(momentum_norm) * np.eye(3)
+    I = check.array("moments", moments, (3,), "kg m²", above=0)  # noqa: E741
+    norm = check.number("momentum_norm", momentum_norm, "kg m²/s", least=0)
+    point = norm * np.eye(3)
     subjects = [Subject(tuple(I.tolist()), point[i]) for i in range(3)]
     return tuple(replace(_about(I, norm, i), subject=subjects[i]) for i in range(3))  # type: ignore[return-value]
 

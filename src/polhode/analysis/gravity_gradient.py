@@ -21,13 +21,14 @@ from typing import NamedTuple
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.algebra.semidirect import Semidirect
 from polhode.algebra.so3 import SO3
 from polhode.analysis._printing import print_answer, write_numbers
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.rotation import hat
 from polhode.special.elliptic import complete_k
 from polhode.systems._checks import checked_number
@@ -100,8 +101,7 @@ class OrbitalEquilibrium:
         """
         if self.pitch_rate is None:
             raise InvalidInput("this attitude has no libration in pitch: the body leaves it when rotated by a little.")
-        if not 0.0 <= amplitude < 0.5 * math.pi:
-            raise InvalidInput(f"`amplitude` must be from 0 to below π/2; got {shown(amplitude)} rad.")
+        check.number("amplitude", amplitude, "rad", least=0, below=0.5 * math.pi, rule="from 0 to below π/2")
         return 4.0 * float(complete_k(math.cos(amplitude) ** 2)) / self.pitch_rate
 
     def __str__(self) -> str:

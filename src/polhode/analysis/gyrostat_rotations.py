@@ -8,12 +8,12 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.analysis._printing import print_answer, write_numbers
 from polhode.analysis._steady_points import steady_points
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
-from polhode.errors import InvalidInput, shown
 from polhode.systems.body_with_rotor import clean_direction
 from polhode.systems.gyrostat import Gyrostat
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -82,11 +82,8 @@ def steady_rotations(gyrostat: Gyrostat, momentum_norm: float) -> list[SteadyRot
     >>> [rotation.nutation and round(rotation.nutation, 6) for rotation in rotations[::2]]
     [0.866025, None, 1.145644]
     """
-    if not isinstance(gyrostat, Gyrostat):
-        raise InvalidInput(f"`gyrostat` must be a Gyrostat; got {shown(gyrostat)}. Make one from moments and a rotor.")
-    norm = float(momentum_norm)
-    if not 0.0 <= norm < math.inf:
-        raise InvalidInput(f"`momentum_norm` must be zero or positive, and finite; got {norm:g}. Give |L| in kg m²/s.")
+    check.instance("gyrostat", gyrostat, Gyrostat, "a Gyrostat", "Make one from moments and a rotor.")
+    norm = check.number("momentum_norm", momentum_norm, "kg m²/s", least=0)
     if not norm:
         return []
     moments, rotor = np.asarray(gyrostat.moments), np.asarray(gyrostat.rotor)

@@ -7,10 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.analysis._printing import print_answer, write_numbers, write_span
 from polhode.analysis._tangent_flow import TangentFlow, check_start
-from polhode.errors import InvalidInput, NotConverged, shown
+from polhode.errors import NotConverged
 from polhode.systems.base import AbstractSystem
 from polhode.types import ArrayLike, Double, Float64, Real
 
@@ -92,9 +93,7 @@ def lyapunov(
     """
     start, first, last = check_start(system, state, times)
     flow = TangentFlow(system, start, (first, last))
-    count = flow.size if count is None else count
-    if not (isinstance(count, int) and 1 <= count <= flow.size):
-        raise InvalidInput(f"`count` must be from 1 to {flow.size}, the numbers of a state; got {shown(count)}.")
+    count = flow.size if count is None else check.whole("count", count, 1, flow.size)
     span, now, base = last - first, first, start
     changes = np.linalg.qr(np.random.default_rng(1).normal(size=(flow.size, count)))[0]
     step = span / LIMITS.min_intervals

@@ -6,7 +6,8 @@ from itertools import combinations
 
 import numpy as np
 
-from polhode._base.arrays import known_numbers_only, require_doubles
+from polhode._base import check
+from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput
 from polhode.systems.manakov import Manakov
 from polhode.types import Array, ArrayLike, Complex128, Real
@@ -40,12 +41,10 @@ def plane_rotation_exponents(
     >>> round(15.0 * float(max(x.real.max() for x in exponents.values())), 12)
     1.0
     """
-    if not isinstance(system, Manakov):
-        raise InvalidInput(f"`system` must be Manakov; got {type(system).__name__}.")
-    require_doubles(momentum=momentum)
-    M, n = np.asarray(momentum, dtype=float), system.size
-    if M.shape != (n, n) or not np.isfinite(M).all() or np.abs(M + M.T).max() > 0.0:
-        raise InvalidInput(f"`momentum` must be finite and antisymmetric, ({n}, {n}); got shape {M.shape}.")
+    n = check.instance("system", system, Manakov, "Manakov").size
+    M = check.array("momentum", momentum, (n, n))
+    if np.abs(M + M.T).max() > 0.0:
+        check.refuse("momentum", "antisymmetric", momentum)
     if (np.count_nonzero(M, axis=1) > 1).any():
         raise InvalidInput("`momentum` must have disjoint planes: at most one nonzero entry in each row.")
     planes = [(int(i), int(j)) for i, j in np.argwhere(np.triu(M))]

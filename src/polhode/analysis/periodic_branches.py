@@ -11,12 +11,13 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.arrays import known_numbers_only, require_doubles
+from polhode._base import check
+from polhode._base.arrays import known_numbers_only
 from polhode.analysis._printing import count_things, print_answer, write_numbers, write_span
 from polhode.analysis._tangent_flow import TangentFlow, compute_multipliers
 from polhode.analysis.floquet import LIMITS as FLOQUET_LIMITS
 from polhode.analysis.floquet import PeriodicMotion, periodic_motion
-from polhode.errors import InvalidInput, NotConverged, shown
+from polhode.errors import InvalidInput, NotConverged
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.advancing import integrals_at
 from polhode.taylor.expressions import Untraceable
@@ -144,12 +145,11 @@ def continue_periodic(
     Source: Seydel, *Practical Bifurcation and Stability Analysis*, ch. 7; Muñoz-Almaraz et al., Physica D 181 (2003) 1,
     for what is conserved.
     """
-    require_doubles(limits=limits)
     if not callable(make):
-        raise InvalidInput(f"`make` must be a function from a value to a system; got {shown(make)}.")
-    ends = np.asarray(limits, dtype=float)
-    if ends.shape != (2,) or not np.isfinite(ends).all() or ends[0] == ends[1]:
-        raise InvalidInput(f"`limits` must be two different finite values of the parameter; got {shown(limits)}.")
+        check.refuse("make", "a function from a value to a system", make)
+    ends = check.array("limits", limits, (2,))
+    if ends[0] == ends[1]:
+        check.refuse("limits", "two different values of the parameter", limits)
     begin = periodic_motion(make(float(ends[0])), state, period, first, fixed)
     family = _Family(make, ends, begin, first, fixed)
     first_place = family.place(begin, float(ends[0]), None)

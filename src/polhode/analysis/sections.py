@@ -8,14 +8,16 @@ from typing import Any, NamedTuple
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.arrays import compiled_for_few_calls, known_numbers_only, require_doubles
+from polhode._base import check
+from polhode._base.arrays import compiled_for_few_calls, known_numbers_only
 from polhode.analysis._printing import count_things, print_answer, write_numbers
+from polhode.analysis._tangent_flow import check_start
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators._adaptive import check_events
 from polhode.integrators._interrupts import keep_interrupts
 from polhode.integrators._series import check_sizes
 from polhode.motion._outcome import Status
-from polhode.systems._forms import check_finite_rates, one_number, refuse_other_objects
+from polhode.systems._forms import check_finite_rates, one_number
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.runs import choose_precision, find_crossings
@@ -91,26 +93,18 @@ def section(
 
     Source: Hénon, Physica D 5 (1982) 412, for what a section is; the zeros by Taylor series on each step.
     """
-    refuse_other_objects(system)
-    require_doubles(times=times)
-    start = system.check_state(state)
-    ends = np.asarray(times, dtype=float)
-    if np.ndim(start) != system.state_axes:
-        raise InvalidInput(f"`state` must be one state; got shape {np.shape(start)}. Call `section` for each.")
-    if ends.shape != (2,) or not np.isfinite(ends).all() or ends[0] == ends[1]:
-        raise InvalidInput(f"`times` must be a first and another last time [s], both finite; got {shown(times)}.")
-    if direction not in DIRECTIONS:
-        raise InvalidInput(f"`direction` must be one of {', '.join(map(repr, DIRECTIONS))}; got {shown(direction)}.")
-    if not (isinstance(most, int) and most > 0):
-        raise InvalidInput(f"`most` must be a positive whole number; got {shown(most)}.")
+    start, first, last = check_start(system, state, times)
+    ends = np.array([first, last])
+    check.one_of("direction", direction, DIRECTIONS)
+    check.whole("most", most, 1)
     check_sizes(np.asarray(start)[None])
     _check_surface(surface, ends[0], start)
     check_events(system, ends[0], start)
     through = surface if direction != "rising" else _negative(surface)
-    with keep_interrupts() as check:
+    with keep_interrupts() as check_interrupts:
         try:
             crossings = find_crossings(system, np.asarray(start), through, ends, choose_precision(None), most,
-                                 direction != "either", lambda share: check())
+                                 direction != "either", lambda share: check_interrupts())
         except Untraceable as error:
             raise InvalidInput(
                 f"a section of {type(system).__name__} needs Taylor series, and its rates of change or `surface` "

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
-from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Float64, Real
 
 BOLTZMANN = 1.380649e-23  # J/K, exact by definition
@@ -35,12 +35,8 @@ def thermal_momentum(
     >>> print(f"{0.5 * np.sum(L**2 / (1e-47, 2e-47, 3e-47)) / (BOLTZMANN * 300.0):.12f}")
     1.500000000000
     """
-    I = np.asarray(moments, dtype=float)  # noqa: E741
-    if I.shape[-1:] != (3,) or not (np.isfinite(I).all() and (I >= 0.0).all()):
-        raise InvalidInput(f"`moments` must be three that are finite and not negative [kg m²]; got {shown(moments)}.")
-    T = np.asarray(temperature, dtype=float)
-    if not (np.isfinite(T).all() and (T > 0.0).all()):
-        raise InvalidInput(f"`temperature` must be positive and finite [K]; got {shown(temperature)}.")
+    I = check.array("moments", moments, ("…", 3), "kg m²", least=0)  # noqa: E741
+    T = check.array("temperature", temperature, None, "K", above=0)
     return np.sqrt(BOLTZMANN * T)[..., None] * np.sqrt(I)
 
 
@@ -57,7 +53,5 @@ def rotational_temperature(moments: Real[ArrayLike, "*batch 3"]) -> Float64[Arra
     >>> rotational_temperature((1.0e-47, 1.9e-47, 2.9e-47)).round(1).tolist()
     [40.3, 21.2, 13.9]
     """
-    I = np.asarray(moments, dtype=float)  # noqa: E741
-    if I.shape[-1:] != (3,) or not (np.isfinite(I).all() and (I > 0.0).all()):
-        raise InvalidInput(f"`moments` must be three that are finite and positive [kg m²]; got {shown(moments)}.")
+    I = check.array("moments", moments, ("…", 3), "kg m²", above=0)  # noqa: E741
     return REDUCED_PLANCK / I * (0.5 * REDUCED_PLANCK / BOLTZMANN)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.analysis._printing import print_answer, write_numbers
 from polhode.analysis.energy_casimir import Stability
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 
 
 @dataclass(frozen=True)
@@ -61,10 +61,8 @@ def stability_threshold(
     (4.0, 'unstable', 'stable')
     """
     max_halvings = 200
-    if not (math.isfinite(low) and math.isfinite(high) and low < high):
-        raise InvalidInput(f"`low` and `high` must be finite and in this order; got {shown(low)} and {shown(high)}.")
-    if not 0.0 < tolerance < 1.0:
-        raise InvalidInput(f"`tolerance` must be between 0 and 1; got {shown(tolerance)}.")
+    check.number("high", high, above=check.number("low", low))
+    check.number("tolerance", tolerance, above=0, below=1)
     below, above = verdict(low), verdict(high)
     if below.verdict == above.verdict:
         raise InvalidInput(

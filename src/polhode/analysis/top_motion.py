@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
-from polhode.errors import InvalidInput, shown
 from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, steady_precession
 from polhode.systems.heavy_top import LIMITS as HEAVY_TOP_LIMITS
 from polhode.systems.heavy_top import HeavyTop
@@ -109,7 +109,4 @@ def steady_precession_of(motion: LagrangeMotion) -> SteadyPrecession | None:
 
 
 def _vector(momentum: Array) -> Array:
-    vector = np.asarray(momentum, dtype=float)
-    if vector.shape != (3,) or not np.isfinite(vector).all():
-        raise InvalidInput(f"`momentum` must be three finite numbers [kg m²/s, principal axes]; got {shown(momentum)}.")
-    return vector
+    return check.array("momentum", momentum, (3,), "kg m²/s, principal axes")

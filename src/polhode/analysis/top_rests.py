@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.analysis._printing import print_answer
 from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.stability import stability
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.systems.heavy_top import HeavyTop
 
 NAMES = {"|P|²": "|Γ|²", "Π·P": "Π·Γ"}  # the Casimirs of se(3)*, called by what they are here
@@ -46,10 +46,8 @@ def top_stability(top: HeavyTop, spin: float = 0.0) -> TopRests:
     >>> top_stability(HeavyTop((1.0, 1.0, 0.5), 1.0, (0.0, 0.0, 1.0)), 5.0).upright.verdict
     'stable'
     """
-    if not isinstance(top, HeavyTop):
-        raise InvalidInput(f"`top` must be a HeavyTop; got {shown(top)}.")
-    if not math.isfinite(spin):
-        raise InvalidInput(f"`spin` must be finite; got {spin:g}. Give it in rad/s.")
+    check.instance("top", top, HeavyTop, "a HeavyTop")
+    check.number("spin", spin, "rad/s")
     if float(top.mgl) == 0.0:
         raise InvalidInput("`top` has no weight: its centre of mass is its fixed point, and no position is upright.")
     points = (top.upright(spin), top.upright(spin, hanging=True))

@@ -8,10 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.analysis.top_motion import axis_in_space
 from polhode.bodies._pivot import axis_of_symmetry
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, least_spin_rate, steady_precession
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -58,9 +59,9 @@ def top_velocity(
     >>> top_velocity(top, top.leaning(math.pi / 3), spin_rate=5.0, precession_rate=2.0).round(12).tolist()
     [0.0, 1.732050807569, 6.0]
     """
-    rates = (spin_rate, precession_rate, nutation_rate)
-    if not all(np.ndim(rate) == 0 and np.isfinite(rate) for rate in rates):
-        raise InvalidInput(f"the rates must be finite numbers [rad/s]; got {shown(rates)}.")
+    rates = {"spin_rate": spin_rate, "precession_rate": precession_rate, "nutation_rate": nutation_rate}
+    for name, rate in rates.items():
+        check.number(name, rate, "rad/s")
     q = rotation.normalize(np.asarray(attitude, dtype=float))
     axis, back = axis_in_space(top, q), rotation.conjugate(q)
     in_space = precession_rate * UP
