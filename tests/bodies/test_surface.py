@@ -92,7 +92,7 @@ def test_a_coarser_ball_is_still_turned_outward():
 def test_a_surface_with_few_triangles_stays_as_it_is():
     small = cuboid((1.0, 2.0, 3.0))
     assert small.coarsened(12) is small
-    with pytest.raises(ph.InvalidInput, match="`most` must be at least 12"):
+    with pytest.raises(ph.InvalidInput, match="`most` must be a whole number of triangles, at least 12"):
         small.coarsened(11)
 
 

@@ -6,10 +6,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode._base.arrays import as_float64, is_traced
+from polhode._base import check
+from polhode._base.arrays import is_traced
 from polhode._base.extras import needing
 from polhode.bodies._digits import judge_moments
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Float64, Real
 
 ROUNDING = 64 * np.finfo(float).eps  # rounding of the sums in an inertia matrix, relative to its entries
@@ -90,8 +91,7 @@ def take_rounded(
     Raises:
         InvalidInput: where rounding to so many significant digits is not enough.
     """
-    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= 17:
-        raise InvalidInput(f"`digits` must be a whole number from 1 to 17; got {shown(digits)}.")
+    check.whole("digits", digits, 1, 17)
     near = nearest_physical(inertia)
     moved = float(np.linalg.norm(near - inertia))
     if moved <= ROUNDING * float(np.abs(inertia).max()):
@@ -225,11 +225,5 @@ def _first_largest(values: Array) -> int:
 
 def finite_array(name: str, value: Any, shape: tuple[int, ...]) -> Float64[np.ndarray, "..."]:
     """Return a float64 copy of the wanted shape, finite."""
-    if is_traced(value):
-        raise InvalidInput(f"`{name}` must be known numbers, not traced by JAX; give moments to FreeMotion instead.")
-    array = np.array(as_float64(np, value, name))
-    if array.shape != shape:
-        raise InvalidInput(f"`{name}` must have shape {shape}; got {array.shape}.")
-    if not np.isfinite(array).all():
-        raise InvalidInput(f"`{name}` must be finite; got {shown(array.tolist())}. Check where the value comes from.")
-    return array
+    remedy = "Give moments to FreeMotion instead." if is_traced(value) else "Check where the value comes from."
+    return np.array(check.array(name, value, shape, remedy=remedy))

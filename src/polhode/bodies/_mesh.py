@@ -6,9 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode.bodies._inertia import MassProperties, inertia_of_second
 from polhode.bodies._mesh_gate import as_mesh, check_mesh, triple_products
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Float64, Real
 
 
@@ -32,11 +33,8 @@ def mass_properties(
     if (mass is None) == (density is None):
         raise InvalidInput("give exactly one of `mass` [kg] and `density` [kg/m³]; a mesh alone has neither.")
     for name, value in (("mass", mass), ("density", density)):
-        if value is not None and not (np.ndim(value) == 0 and np.isfinite(value) and value > 0):
-            raise InvalidInput(
-                f"`{name}` must be one positive finite number; got {shown(value)}. "
-                "Check sign and units."
-            )
+        if value is not None:
+            check.number(name, value, above=0, remedy="Check sign and units.")
     if repair:
         from polhode.bodies._mesh_repair import repair_mesh
 
@@ -57,10 +55,8 @@ def sheet_properties(
     if (mass is None) == (density is None) or (density is None) != (thickness is None):
         raise InvalidInput("give either `mass` [kg], or `density` [kg/m³] with `thickness` [m]; a sheet has no other.")
     for name, value in (("mass", mass), ("density", density), ("thickness", thickness)):
-        if value is not None and not (np.ndim(value) == 0 and np.isfinite(value) and value > 0):
-            raise InvalidInput(
-                f"`{name}` must be one positive finite number; got {shown(value)}. Check sign and units."
-            )
+        if value is not None:
+            check.number(name, value, above=0, remedy="Check sign and units.")
     vertices, faces = as_mesh(vertices, faces, least=1)
     area, center, second = area_moments(vertices[faces])
     widest = float(np.ptp(vertices[faces], axis=(0, 1)).max())

@@ -7,10 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from polhode._base.arrays import is_positive, is_traced, require_doubles
+from polhode._base import check
+from polhode._base.arrays import is_traced
 from polhode.bodies._inertia import principal_axes
 from polhode.bodies.body import Body, check_is_body
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Float64, Real
 
 STANDARD_GRAVITY = 9.80665  # m/s², by definition
@@ -60,9 +61,7 @@ def about_pivot(body: Body, pivot: Real[ArrayLike, "3"], gravity: float = STANDA
     if is_traced(gravity, *(pivot if isinstance(pivot, tuple | list) else (pivot,))):
         raise InvalidInput("`pivot` and `gravity` must be known numbers, not traced by JAX: the principal axes at the "
                            "pivot are decided on them. Give moments and mgl to LagrangeMotion instead.")
-    require_doubles(gravity=gravity)
-    if not is_positive(gravity):
-        raise InvalidInput(f"`gravity` must be positive and finite [m/s²]; got {shown(gravity)}.")
+    check.number("gravity", gravity, "m/s²", above=0)
     # J_pivot = J + m (|d|² 1 − d dᵀ)
     moments, axes = principal_axes(body.about(pivot))
     arm = (body.center_of_mass - np.asarray(pivot, dtype=float)) @ axes

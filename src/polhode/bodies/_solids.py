@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode._base.arrays import as_float64
+from polhode._base import check
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, Float64
 
@@ -192,23 +192,15 @@ def _product(*factors: Any) -> Array:
 
 
 def _thickness(thickness: Any, most: float) -> float:
-    number = numbers("thickness", thickness)
-    if number.shape != () or not 0.0 <= number <= most:
-        raise InvalidInput(
-            f"`thickness` must lie between 0 and {most:g} m, where the wall fills the shape; got {shown(thickness)}."
-        )
-    return float(number)
+    return check.number("thickness", thickness, "m", least=0, most=most, remedy="At most the wall fills the shape.")
 
 
 def _corners(outline: Any) -> Float64[Array, "n 2"]:
-    corners = numbers("outline", outline)
-    if corners.ndim != 2 or corners.shape[1:] != (2,) or not 3 <= len(corners) <= LIMITS.max_corners:
-        raise InvalidInput(
-            f"`outline` must be 3 to {LIMITS.max_corners} corners [x, y] in order; "
-            f"got an array of shape {corners.shape}."
-        )
+    corners = check.array("outline", outline, ("n", 2), "m", remedy="Give corners [x, y] in order.")
+    if not 3 <= len(corners) <= LIMITS.max_corners:
+        check.refuse("outline", f"3 to {LIMITS.max_corners} corners", len(corners))
     if not (np.abs(corners) < LIMITS.largest).all():
-        raise InvalidInput("`outline` must be finite, within 1e60 m. Check its unit.")
+        check.refuse("outline", "within 1e60 m", float(np.abs(corners).max()), "Check its unit.")
     return corners
 
 
@@ -270,39 +262,17 @@ def _solid(volume: Any, squares: Any) -> Solid:
 
 def positive(**named: Any) -> list[float]:
     """Return single numbers, each positive and finite."""
-    values = []
-    for name, value in named.items():
-        array = numbers(name, value)
-        if array.shape != ():
-            raise InvalidInput(f"`{name}` must be one number; got {shown(value)}.")
-        if not LIMITS.smallest < array < LIMITS.largest:
-            raise InvalidInput(
-                f"`{name}` must be positive and finite, within 1e±60; got {shown(value)}. "
-                "Check its unit."
-            )
-        values.append(float(array))
-    return values
+    rule = "positive and finite, within 1e±60"
+    return [check.number(name, value, above=LIMITS.smallest, below=LIMITS.largest, rule=rule, remedy="Check its unit.")
+            for name, value in named.items()]  # fmt: skip
 
 
 def lengths(name: str, value: Any) -> Float64[Array, "3"]:
     """Return three lengths, each positive and finite."""
-    array = numbers(name, value)
-    if array.shape != (3,):
-        raise InvalidInput(f"`{name}` must be three lengths; got {shown(value)}.")
-    if not ((array > LIMITS.smallest) & (array < LIMITS.largest)).all():
-        raise InvalidInput(f"`{name}` must be positive and finite, within 1e±60 m; got {shown(value)}. Check its unit.")
+    array = check.array(name, value, (3,), "m", above=0)
+    positive(**{f"{name}[{k}]": x for k, x in enumerate(array)})
     return array
 
 
 def _inner_radius(inner: Any, outer: float) -> float:
-    number = numbers("inner_radius", inner)
-    if number.shape != () or not 0.0 <= number <= outer:
-        raise InvalidInput(f"`inner_radius` must lie between 0 and the radius {outer:g} m; got {shown(inner)}.")
-    return float(number)
-
-
-def numbers(name: str, value: Any) -> Float64[Array, "*shape"]:
-    """Return real numbers as float64."""
-    if value is None:
-        raise InvalidInput(f"`{name}` must be given as a number; got None.")
-    return np.asarray(as_float64(np, value, name))
+    return check.number("inner_radius", inner, "m", least=0, most=outer, rule=f"from 0 to the radius {outer:g}")

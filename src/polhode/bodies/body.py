@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.bodies._inertia import (
     LIMITS,
@@ -61,11 +62,11 @@ class Body:
     effective: bool = False
 
     def __post_init__(self) -> None:
-        mass = None if self.mass is None else finite_array("mass", self.mass, ())
+        mass = self.mass
+        if mass is not None:
+            mass = check.number("mass", mass, "kg", above=0, remedy="Check sign and units.")
         center = finite_array("center_of_mass", self.center_of_mass, (3,))
         inertia = finite_array("inertia", self.inertia, (3, 3))
-        if mass is not None and not mass > 0:
-            raise InvalidInput(f"`mass` must be positive; got {float(mass):g} kg. Check sign and units.")
         scale = np.abs(inertia).max()
         far = np.abs(center).max()
         largest = LIMITS.largest
@@ -124,9 +125,7 @@ class Body:
         >>> print((water.principal_moments / 1.66053906892e-47).round(3), f"{water.inertial_defect:.3g}")
         [0.605 1.161 1.817] 8.55e-49
         """
-        constants = finite_array("constants", (A, B, C), (3,))
-        if not (constants > 0.0).all():
-            raise InvalidInput(f"rotational constants must be positive; got {constants.tolist()} Hz. Check signs.")
+        constants = check.array("constants", (A, B, C), (3,), "Hz", above=0, remedy="Check signs.")
         return cls(mass, (0.0, 0.0, 0.0), np.diag(MOMENT_TIMES_CONSTANT / constants), effective)
 
     @classmethod
@@ -349,11 +348,7 @@ def check_is_body(body: Any) -> None:
     Raises:
         InvalidInput: then.
     """
-    if not isinstance(body, Body):
-        raise InvalidInput(
-            f"`body` must be a Body; got {shown(body)}. "
-            "Make one with polhode.shapes or Body.from_mesh."
-        )
+    check.instance("body", body, Body, "a Body", "Make one with polhode.shapes or Body.from_mesh.")
 
 
 def combine(bodies: Sequence[Body | MassProperties], cut: Sequence[Body | MassProperties] = ()) -> Body:

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.bodies._inertia import point_inertia, principal_axes
-from polhode.errors import InvalidInput
 from polhode.motion.frame import BodyFrame
 from polhode.types import Array, ArrayLike, Float64, Integer, Real
 
@@ -82,8 +82,7 @@ class Surface:
         Source: Rossignac & Borrel, in *Modeling in Computer Graphics* (1993) 455.
         """
         finest = 1 << 20  # cells along an edge; their number still fits into 64 bits
-        if most < 12:
-            raise InvalidInput(f"`most` must be at least 12 triangles; got {most}. Fewer show no shape.")
+        check.whole("most", most, 12, what="triangles", remedy="Fewer show no shape.")
         if len(self.faces) <= most:
             return self
         # fast-simplification's quadrics take a minute for a thin tube, and leave 50 % more or other shapes below 3 %
