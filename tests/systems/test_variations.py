@@ -52,7 +52,7 @@ def test_changes_move_where_the_motion_stands_still(method, momentum):
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: Variations(TOP, 0), "`count` of changes must be a positive whole number; got 0"),
+        (lambda: Variations(TOP, 0), "`count` must be a whole number of changes, at least 1; got 0"),
         (lambda: Variations(TOP, 2).check_state(np.stack([START, START])), "and 2 changes of it, stacked"),
         (lambda: Variations(TOP, 1).check_state(np.stack([START, np.full(6, np.inf)])), "changes that are not finite"),
     ],

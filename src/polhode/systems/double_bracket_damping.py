@@ -7,6 +7,7 @@ from typing import ClassVar
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput
@@ -99,10 +100,7 @@ class DoubleBracketDamping(AbstractLiePoissonSystem):
 
 
 def _checked_metric(metric: Array, algebra: AbstractLieAlgebra) -> np.ndarray:
-    values = np.asarray(metric, dtype=float)
-    dim = algebra.dim
-    if values.shape != (dim, dim) or not np.isfinite(values).all():
-        raise InvalidInput(f"`metric` must be finite, of shape ({dim}, {dim}); got shape {values.shape}.")
+    values = check.array("metric", metric, (algebra.dim, algebra.dim))
     size = np.abs(values).max()
     lowest = np.linalg.eigvalsh(0.5 * (values + values.T)).min()
     if np.abs(values - values.T).max() > 1e-12 * size or not lowest > 0.0:

@@ -5,13 +5,11 @@ from __future__ import annotations
 from typing import ClassVar
 
 import jax.numpy as jnp
-import numpy as np
 
-from polhode._base.arrays import known_numbers_only, require_doubles
+from polhode._base import check
+from polhode._base.arrays import known_numbers_only
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
-from polhode.errors import InvalidInput, shown
-from polhode.systems._checks import as_floats
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
@@ -95,13 +93,6 @@ def checked_moments(moments: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
     Raises:
         InvalidInput: otherwise.
     """
-    require_doubles(moments=moments)
-    values = as_floats(moments)
-    if values.shape != (3,) or not (np.isfinite(values).all() and (values > 0).all()):
-        given = moments.tolist() if hasattr(moments, "tolist") else moments
-        remedy = " A matrix makes a `Body.from_inertia`; take its `principal_moments`, or `RigidBody.from_body` of it."
-        raise InvalidInput(
-            f"`moments` must be three positive finite numbers [kg m²]; got {shown(given)}."
-            f"{remedy if values.shape == (3, 3) else ''}"
-        )
-    return jnp.asarray(values)
+    remedy = "A matrix makes a `Body.from_inertia`; take its `principal_moments`, or `RigidBody.from_body` of it."
+    is_tensor = getattr(moments, "shape", None) == (3, 3)
+    return jnp.asarray(check.array("moments", moments, (3,), "kg m²", above=0, remedy=remedy if is_tensor else ""))

@@ -10,6 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode._base import check
 from polhode._base.arrays import is_traced, known_numbers_only, require_doubles
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
@@ -139,8 +140,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         """
         if float(self.mgl) == 0.0:
             raise InvalidInput("the top must have a centre of mass apart from the fixed point to lean; it has mgl = 0.")
-        if not math.isfinite(angle):
-            raise InvalidInput(f"`angle` must be finite; got {shown(angle)}. Give it in rad.")
+        check.number("angle", angle, "rad")
         axes = np.asarray(self.axes)
         upright = rotation.shortest_between(axes @ np.asarray(self.axis), (0.0, 0.0, 1.0))
         turn = rotation.multiply(np.array([*_half_turn(angle), 0.0, 0.0]), upright)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from types import NoneType
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
 
+from polhode._base import check
 from polhode._base.arrays import require_doubles
 from polhode.algebra._functions import Function, check_scalar
 from polhode.algebra.base import AbstractLieAlgebra
@@ -50,10 +53,8 @@ class LiePoisson(AbstractLiePoissonSystem):
     ) -> None:
         if sign not in (-1, 1):
             raise InvalidInput(f"`sign` must be −1 (left-invariant) or +1 (right-invariant); got {shown(sign)}.")
-        if not isinstance(algebra, AbstractLieAlgebra):
-            raise InvalidInput(f"`algebra` must be one of polhode.algebra; got {shown(algebra)}.")
-        if not isinstance(conserved, dict | None):
-            raise InvalidInput(f"`conserved` must be functions by name, {{name: function}}; got {shown(conserved)}.")
+        check.instance("algebra", algebra, AbstractLieAlgebra, "one of polhode.algebra")
+        check.instance("conserved", conserved, (dict, NoneType), "functions by name, {name: function}")
         self.algebra, self.hamiltonian = algebra, hamiltonian
         self.conserved, self.orientation = dict(conserved or {}), sign
         for name, function in {"hamiltonian": hamiltonian, **self.conserved}.items():

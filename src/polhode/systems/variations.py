@@ -6,8 +6,9 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only, require_doubles
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem, Balance, Event
 from polhode.types import Array, ArrayLike, Double, Float64, Real
@@ -35,8 +36,7 @@ class Variations(AbstractSystem):
     count: int = eqx.field(static=True)
 
     def __check_init__(self) -> None:
-        if not (isinstance(self.count, int) and self.count > 0):
-            raise InvalidInput(f"`count` of changes must be a positive whole number; got {shown(self.count)}.")
+        check.whole("count", self.count, 1, what="changes")
 
     @property
     def state_axes(self) -> int:
