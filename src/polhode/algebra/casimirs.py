@@ -16,13 +16,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.extras import needing
 from polhode._base.rational._sparse import REMEDY, SparseRow, choose_independent, null_space, whole_multiple
 from polhode._base.rational._terms import exponents_of, multiply_together
 from polhode._base.rational.numbers import EXACT, as_fraction, read_number
 from polhode.algebra._polynomial import Polynomial
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 
 RationalBrackets = list[list[dict[int, Fraction]]]
 
@@ -71,8 +72,7 @@ def check_degree(degree: int, count: int, dim: int) -> None:
     Raises:
         InvalidInput: naming it.
     """
-    if not isinstance(degree, int) or degree < 1:
-        raise InvalidInput(f"`degree` must be a whole number, at least 1; got {shown(degree)}.")
+    check.whole("degree", degree, 1)
     if count > LIMITS.max_monomials:
         raise InvalidInput(f"`degree` {degree} in {dim} variables has {count} monomials, more than "
                            f"{LIMITS.max_monomials}. {REMEDY}")

@@ -5,8 +5,8 @@ from __future__ import annotations
 import equinox as eqx
 import jax.numpy as jnp
 
+from polhode._base import check
 from polhode.algebra.base import AbstractLieAlgebra, Operand, Vector
-from polhode.errors import InvalidInput
 from polhode.types import Array, Float64
 
 
@@ -19,8 +19,7 @@ class Heisenberg(AbstractLieAlgebra):
     n: int = eqx.field(static=True, default=1)
 
     def __check_init__(self) -> None:
-        if self.n < 1:
-            raise InvalidInput(f"`n` must be the number of canonical pairs, at least 1; got {self.n}.")
+        check.whole("n", self.n, 1, what="canonical pairs")
 
     @property
     def dim(self) -> int:

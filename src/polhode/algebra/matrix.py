@@ -16,9 +16,10 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode.algebra._real_products import product
 from polhode.algebra.base import AbstractLieAlgebra
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.types import Array, Double, Float64
 
 Element = Double[Array, "*batch {self.size} {self.size}"]
@@ -437,5 +438,4 @@ def _times_blocks(vector: Float64[Array, "*batch n"]) -> Float64[Array, "*batch 
 
 def check_size(name: str, size: int, least: int, letter: str = "n") -> None:
     """Refuse a size that is not a whole number, or too small."""
-    if not isinstance(size, int) or size < least:
-        raise InvalidInput(f"`{letter}` of {name} must be a whole number, at least {least}; got {shown(size)}.")
+    check.whole(f"`{letter}` of {name}", size, least)
