@@ -14,8 +14,11 @@ from polhode.taylor import kernel, kernel_series
 from polhode.taylor.expressions import LIMITS, Tape, Untraceable
 from polhode.taylor.jaxprs import write_jaxpr
 from polhode.taylor.kernel_space import series_for
+from polhode.taylor.loops import write_function
 from polhode.taylor.machine import build_machine
+from polhode.taylor.operations import Operation
 from polhode.taylor.program import CODE, OPERATIONS, make_program
+from polhode.taylor.recurrences import RECURRENCES
 from polhode.taylor.tracing import evaluate
 
 ORDER = 20
@@ -147,13 +150,14 @@ def test_places_in_an_orbit_have_the_coefficients_of_power_series(eccentricity, 
 
 def test_a_wrong_place_in_an_orbit_is_seen(monkeypatch):
     """The cosine's recurrence with the sine's sign."""
-    right = kernel_series.orbital
+    right = RECURRENCES[Operation.ECCENTRIC]
 
-    def wrong(flat, z, base, width, k, out, x, eccentricity):
-        right(flat, z, base, width, k, out, x, eccentricity)
-        z[base + out + 2] *= 1.0 if k == 0 else -1.0
+    def wrong(w, k, x, own, number):
+        for place, value in enumerate(right.coefficients(w, k, x, own, number)):
+            yield -value if place == 2 else value
 
-    monkeypatch.setattr(kernel_series, "orbital", wrong)
+    monkeypatch.setitem(RECURRENCES, Operation.ECCENTRIC, right._replace(coefficients=wrong))
+    monkeypatch.setattr(kernel_series, "function", write_function(kernel_series.function.__globals__))
     with pytest.raises(AssertionError):
         test_places_in_an_orbit_have_the_coefficients_of_power_series(0.3, 0.4)
 

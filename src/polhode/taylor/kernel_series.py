@@ -11,9 +11,11 @@ from typing import Any
 import numpy as np
 
 from polhode._base.compiled.copying import called
-from polhode.taylor.kernel_kepler import eccentric_anomaly_at
+from polhode.taylor import kernel_kepler
+from polhode.taylor import vectors as arithmetic
 from polhode.taylor.kernel_products import block
 from polhode.taylor.kernel_space import NOBODY, Course, Lanes, Series
+from polhode.taylor.loops import write_function
 from polhode.taylor.program import (
     ARGUMENT,
     CODE,
@@ -34,15 +36,8 @@ from polhode.taylor.program import (
 )
 from polhode.taylor.vectors import (
     LANES,
-    cosine,
     exponential,
-    exponential_minus_one,
-    hyperbolic_tangent,
-    logarithm,
-    logarithm_of_one_plus,
-    raise_power,
     run_code,
-    sine,
     spread,
     vectors,
     where_less,
@@ -75,104 +70,13 @@ def size_of_terms(series: Series, row: Any) -> Any:
     return value
 
 
-@called
-def function(
-    operation: Any, flat: Array, z: Array, base: Any, width: Any, k: Any, out: Any, x: Any, exponent: Any
-) -> None:
-    """Set the k-th coefficient of a function of node x; see ``program``."""
-    u, y, total = out, base + x, spread(0.0)
-    if operation == 2:
-        if k == 0:
-            z[base + out] = raise_power(z[x], exponent)
-            return
-        # u = x^p: x u̇ = p u ẋ, so that k x₀ u_k = Σ_{j<k} (p(k−j) − j) u_j x_{k−j} (Jorba & Zou 2005, §2.1)
-        for j in range(k):
-            total = total + (exponent * (k - j) - j) * (z[u] * z[y])
-            u, y = u + width, y - width
-        z[base + out] = total / (k * z[x])
-    elif operation == 3 or operation == 12:
-        if k == 0:
-            z[base + out] = exponential(z[x]) if operation == 3 else exponential_minus_one(z[x])
-            return
-        # u = e^x: u̇ = u ẋ, k u_k = Σ_{j<k} (k−j) u_j x_{k−j}; u = e^x − 1: u̇ = (u + 1) ẋ
-        if operation == 12:
-            total = total + k * z[base + x]
-        for j in range(k):
-            total = total + (k - j) * (z[u] * z[y])
-            u, y = u + width, y - width
-        z[base + out] = total / k
-    elif operation == 4 or operation == 13:
-        if k == 0:
-            z[base + out] = logarithm(z[x]) if operation == 4 else logarithm_of_one_plus(z[x])
-            return
-        # u = ln x: x u̇ = ẋ, k x₀ u_k = k x_k − Σ_{0<j<k} j u_j x_{k−j}; u = ln(1 + x): (1 + x) u̇ = ẋ
-        for j in range(1, k):
-            u, y = u + width, y - width
-            total = total + j * (z[u] * z[y])
-        z[base + out] = (z[base + x] - total / k) / (z[x] if operation == 4 else 1.0 + z[x])
-    elif operation == 10:
-        hyperbolic(z, base, width, k, out, x)
-    elif operation == 7:
-        orbital(flat, z, base, width, k, out, x, exponent)
-    else:
-        if k == 0:
-            z[base + out] = sine(z[x])
-            z[base + out + 1] = cosine(z[x])
-            return
-        # ṡ = c ẋ, ċ = −s ẋ, both from their lower orders
-        of_sine, of_cosine = spread(0.0), spread(0.0)
-        for j in range(k):
-            weight = (k - j) * z[y]
-            of_sine = of_sine + weight * z[u + 1]
-            of_cosine = of_cosine - weight * z[u]
-            u, y = u + width, y - width
-        z[base + out] = of_sine / k
-        z[base + out + 1] = of_cosine / k
+def squared_secant(x: Any) -> Any:
+    """Return 1/cosh² x, which is 1 − tanh² x, with all its digits."""
+    small = exponential(-2.0 * abs(x))
+    return 4.0 * small / ((1.0 + small) * (1.0 + small))
 
 
-@called
-def hyperbolic(z: Array, base: Any, width: Any, k: Any, out: Any, x: Any) -> None:
-    """Set the k-th coefficients of u = tanh x and v = 1/cosh² x, by u̇ = v ẋ and v̇ = −2 u u̇."""
-    if k == 0:
-        # 1 − tanh² loses its digits where tanh is almost 1
-        small = exponential(-2.0 * abs(z[x]))
-        z[out] = hyperbolic_tangent(z[x])
-        z[out + 1] = 4.0 * small / ((1.0 + small) * (1.0 + small))
-        return
-    total, square = spread(0.0), spread(0.0)
-    for j in range(k):
-        total = total + (k - j) * (z[(k - j) * width + x] * z[j * width + out + 1])
-    z[base + out] = total / k
-    for j in range(k):
-        square = square + (k - j) * (z[(k - j) * width + out] * z[j * width + out])
-    z[base + out + 1] = -2.0 * square / k
-
-
-@called
-def orbital(
-    flat: Array, z: Array, base: Any, width: Any, k: Any, out: Any, x: Any, eccentricity: Any
-) -> None:
-    """Set the k-th coefficients of E, sin E and cos E at the mean anomaly x, by (1 − e cos E) Ė = Ṁ."""
-    if k == 0:
-        for lane in range(LANES):
-            flat[out * LANES + lane] = eccentric_anomaly_at(flat[x * LANES + lane], eccentricity)
-        half = sine(0.5 * z[out])
-        z[out + 1], z[out + 2] = sine(z[out]), cosine(z[out])
-        z[out + 3] = (1.0 - eccentricity) + (2.0 * eccentricity) * half * half
-        return
-    # k (1 − e c₀) E_k = k M_k + e Σ_{0<j<k} j E_j c_{k−j}
-    total = k * z[base + x]
-    for j in range(1, k):
-        total = total + eccentricity * (j * (z[j * width + out] * z[(k - j) * width + out + 2]))
-    z[base + out] = total / (k * z[out + 3])
-    of_sine, of_cosine = spread(0.0), spread(0.0)
-    for j in range(1, k + 1):
-        # ṡ = c Ė, ċ = −s Ė, where E_k is known by now
-        weight, past = j * z[j * width + out], (k - j) * width + out
-        of_sine = of_sine + weight * z[past + 2]
-        of_cosine = of_cosine - weight * z[past + 1]
-    z[base + out + 1] = of_sine / k
-    z[base + out + 2] = of_cosine / k
+function = called(write_function({**vars(kernel_kepler), **vars(arithmetic), **globals()}))
 
 
 def nodes(series: Series, k: Any) -> None:

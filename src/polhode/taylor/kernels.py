@@ -35,7 +35,8 @@ EXTENDED = 2  # for one copy with twice as many digits; other forms are named by
 COMMON: tuple[ModuleType, ...] = kernel_space, kernel_kepler, kernel_series, kernel_zeros, kernel_invariants, kernel
 MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON),
            EXTENDED: (vectors, kernel_products, doubledouble, *COMMON, kernel_extended)}  # fmt: skip
-ARITHMETIC = "polhode.taylor.compiled_vectors", "polhode.taylor.llvm_writer", "polhode.exact._compiled_arithmetic"
+ARITHMETIC = ("polhode.taylor.recurrences", "polhode.taylor.loops", "polhode.taylor.compiled_vectors",
+              "polhode.taylor.llvm_writer", "polhode.exact._compiled_arithmetic")  # fmt: skip
 ENTRIES = ("advance", "conserved_values")
 AT_ONCE = "evaluate_steps", "measure_coefficients", "sum_of_sizes", "expand_watched"
 WHAT = {1: "Taylor series", lanes.LANES: "Taylor series of many copies", EXTENDED: "Taylor series of more digits"}
