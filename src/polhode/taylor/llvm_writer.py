@@ -15,6 +15,7 @@ VECTOR = ir.VectorType(DOUBLE, WIDTH)
 ADDRESS = DOUBLE.as_pointer()
 SIGNATURE = ir.FunctionType(ir.VoidType(), [ADDRESS] * 4 + [INTEGER, ADDRESS])
 NAME = "run"
+INSTRUCTIONS = {"+": ("add", "fadd"), "-": ("sub", "fsub"), "*": ("mul", "fmul"), "/": ("sdiv", "fdiv")}
 
 
 class Code(NamedTuple):
@@ -70,6 +71,22 @@ class Writer:
         one = self.builder.insert_element(ir.Constant(VECTOR, ir.Undefined), x, ir.IntType(32)(0))
         places = ir.Constant(ir.VectorType(ir.IntType(32), WIDTH), [0] * WIDTH)
         return self.builder.shuffle_vector(one, ir.Constant(VECTOR, ir.Undefined), places)
+
+    def operate(self, symbol: str, left: Any, right: Any) -> Any:
+        """Return a sum, difference, product or quotient of integers, of numbers, or of one of them for each copy."""
+        kinds = [x.type for x in (left, right) if isinstance(x, ir.Value)]
+        kind = VECTOR if VECTOR in kinds else DOUBLE if DOUBLE in kinds else INTEGER
+        of_integers, of_numbers = INSTRUCTIONS[symbol]
+        both = (self._convert(x, kind) for x in (left, right))
+        return getattr(self.builder, of_integers if kind is INTEGER else of_numbers)(*both)
+
+    def _convert(self, x: Any, kind: Any) -> Any:
+        """Return an integer or a number, of Python or of LLVM, as one of a kind."""
+        if not isinstance(x, ir.Value):
+            x = kind(x) if kind is INTEGER else DOUBLE(float(x))
+        elif x.type == INTEGER != kind:
+            x = self.builder.sitofp(x, DOUBLE)
+        return self.spread(x) if kind is VECTOR and x.type == DOUBLE else x
 
     def loop(
         self, first: Any, stop: Any, step: int, carried: Sequence[Any], body: Callable[..., Sequence[Any]]

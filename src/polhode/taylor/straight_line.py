@@ -35,6 +35,7 @@ from polhode.taylor.program import (
     START,
     Program,
 )
+from polhode.taylor.recurrences import RECURRENCES, Word, Words
 from polhode.taylor.vectors import WIDTH
 
 Terms = Callable[[Any, Any], list[Any]]
@@ -100,7 +101,7 @@ class _Writer(Writer):
         self._rates(self.flat, None, unit)
 
         def of_order(k: Any) -> list[Any]:
-            now = self._locate_row(k)
+            now = self.locate_row(k)
             self._of_order(k, now)
             self._rates(now, k, unit)
             return []
@@ -117,11 +118,12 @@ class _Writer(Writer):
 
     # ------------------------------------------------------------------ numbers
 
-    def _z(self, row: Any, slot: int) -> Any:
+    def z(self, row: Any, slot: int) -> Any:
         """Return the coefficient of a node, of the order whose row begins there."""
         return self.load(row, slot * self.lanes)
 
-    def _locate_row(self, j: Any) -> Any:
+    def locate_row(self, j: Any) -> Any:
+        """Return where an order begins."""
         return self.builder.gep(self.flat, [self.builder.mul(j, INTEGER(self.row))])
 
     # ------------------------------------------------------------------ one order
@@ -155,7 +157,7 @@ class _Writer(Writer):
         value = self.spread(DOUBLE(0.0))
         first, last = whole[whole[START] + number : whole[START] + number + 2]
         for q in range(first, last):
-            z, sign = self._z(row, whole[whole[INDEX] + q]), self.signs[q]
+            z, sign = self.z(row, whole[whole[INDEX] + q]), self.signs[q]
             if sign == 0:
                 z = builder.fmul(self.spread(self.load_number(whole[FACTOR] + q)), z)
             if q == first:
@@ -188,7 +190,7 @@ class _Writer(Writer):
                     for q in blocks for p, m in enumerate(self._members(q))]
             if k is None:
                 for left, right, out in ones:
-                    self.store(self.builder.fmul(self._z(now, left), self._z(now, right)), now, out * WIDTH)
+                    self.store(self.builder.fmul(self.z(now, left), self.z(now, right)), now, out * WIDTH)
                 return
             for part in _parts(ones, most_together()):
                 self._sums(k, now, self._of_copies(part), [out * WIDTH for _, _, out in part])
@@ -220,9 +222,9 @@ class _Writer(Writer):
         """Return the function for the terms of products, whose common factors are loaded once; see ``kernel_lanes``."""
 
         def terms(left: Any, right: Any) -> list[Any]:
-            lefts, rights = self._locate_row(left), self._locate_row(right)
-            x = {i: self._z(lefts, i) for i, _, _ in products}
-            y = {j: self._z(rights, j) for _, j, _ in products}
+            lefts, rights = self.locate_row(left), self.locate_row(right)
+            x = {i: self.z(lefts, i) for i, _, _ in products}
+            y = {j: self.z(rights, j) for _, j, _ in products}
             return [self.builder.fmul(x[i], y[j]) for i, j, _ in products]
 
         return terms
@@ -233,7 +235,7 @@ class _Writer(Writer):
         for table, store in ((LEFT, self.a), (RIGHT, self.b)):
             value = ir.Constant(VECTOR, ir.Undefined)
             for lane in range(WIDTH):
-                factor = self._z(now, self.whole[self.whole[table] + first + lane])
+                factor = self.z(now, self.whole[self.whole[table] + first + lane])
                 value = self.builder.insert_element(value, factor, ir.IntType(32)(lane))
             self.store(value, self._locate_kept_row(store, k), first)
             kept.append(value)
@@ -278,99 +280,52 @@ class _Writer(Writer):
     # ------------------------------------------------------------------ functions
 
     def _function(self, operation: Operation, k: Any, now: Any, out: int, x: int, number: int) -> None:
-        """Write the recurrence of a function of node x; see ``kernel_series.function``."""
-        builder, zero, one = self.builder, self.spread(DOUBLE(0.0)), INTEGER(1)
-        whole_k, first = builder.sitofp(k, DOUBLE), self._z(self.flat, x)
+        """Write the recurrence of a function of node x."""
+        results, _, coefficients = RECURRENCES[operation]
+        order, scalar = _Value(self, k), _Value(self, self.load_number(number))
+        rows, slots = {0: self.flat, order: now}, range(out, out + results)
+        argument, *own = (_Coefficients(self, rows, slot) for slot in (x, *slots))
+        for place, result in enumerate(coefficients(_Sums(self), order, argument, own, scalar), out):
+            self.store(result.value, now, place * self.lanes)
 
-        def past(j: Any) -> tuple[Any, Any]:
-            """Return k − j as a double, and the coefficient of x of that order."""
-            late = builder.sub(k, j)
-            return builder.sitofp(late, DOUBLE), self._z(self._locate_row(late), x)
 
-        def weigh(weight: Any, j: Any, node: int, z: Any) -> Any:
-            return builder.fmul(self.spread(weight), builder.fmul(self._z(self._locate_row(j), node), z))
+class _Value(Word):
+    """A value of LLVM."""
 
-        def of_power(j: Any, total: Any) -> list[Any]:
-            late, z = past(j)
-            weight = builder.fsub(builder.fmul(exponent, late), builder.sitofp(j, DOUBLE))
-            return [builder.fadd(total, weigh(weight, j, out, z))]
+    def __init__(self, writer: _Writer, value: Any) -> None:
+        self.writer, self.value = writer, value
 
-        def of_exponential(j: Any, total: Any) -> list[Any]:
-            late, z = past(j)
-            return [builder.fadd(total, weigh(late, j, out, z))]
+    def operate(self, symbol: str, left: Any, right: Any) -> _Value:
+        bare = (x.value if isinstance(x, _Value) else x for x in (left, right))
+        return _Value(self.writer, self.writer.operate(symbol, *bare))
 
-        def of_logarithm(j: Any, total: Any) -> list[Any]:
-            return [builder.fadd(total, weigh(builder.sitofp(j, DOUBLE), j, out, past(j)[1]))]
+    def __neg__(self) -> _Value:
+        return _Value(self.writer, self.writer.builder.fneg(self.value))
 
-        def of_sine(j: Any, sine: Any, cosine: Any) -> list[Any]:
-            late, z = past(j)
-            weight, row = builder.fmul(self.spread(late), z), self._locate_row(j)
-            return [builder.fadd(sine, builder.fmul(weight, self._z(row, out + 1))),
-                    builder.fsub(cosine, builder.fmul(weight, self._z(row, out)))]  # fmt: skip
 
-        if operation is Operation.POWER:
-            exponent = self.load_number(number)
-            (total,) = self.loop(INTEGER(0), k, 1, [zero], of_power)
-            results = [builder.fdiv(total, builder.fmul(self.spread(whole_k), first))]
-        elif operation in (Operation.EXPONENTIAL, Operation.EXPONENTIAL_MINUS_ONE):
-            if operation is not Operation.EXPONENTIAL:
-                zero = builder.fadd(zero, builder.fmul(self.spread(whole_k), self._z(now, x)))
-            (total,) = self.loop(INTEGER(0), k, 1, [zero], of_exponential)
-            results = [builder.fdiv(total, self.spread(whole_k))]
-        elif operation in (Operation.LOGARITHM, Operation.LOGARITHM_OF_ONE_PLUS):
-            if operation is not Operation.LOGARITHM:
-                first = builder.fadd(self.spread(DOUBLE(1.0)), first)
-            (total,) = self.loop(one, k, 1, [zero], of_logarithm)
-            rest = builder.fdiv(total, self.spread(whole_k))
-            results = [builder.fdiv(builder.fsub(self._z(now, x), rest), first)]
-        elif operation is Operation.TANH:
-            results = self._hyperbolic(k, now, out, x)
-        elif operation is Operation.ECCENTRIC:
-            results = self._orbital(k, now, out, x, self.spread(self.load_number(number)))
-        else:
-            totals = self.loop(INTEGER(0), k, 1, [zero, zero], of_sine)
-            results = [builder.fdiv(total, self.spread(whole_k)) for total in totals]
-        for place, value in enumerate(results):
-            self.store(value, now, (out + place) * self.lanes)
+class _Coefficients:
+    """The coefficients of a node, and where some orders begin."""
 
-    def _hyperbolic(self, k: Any, now: Any, out: int, x: int) -> list[Any]:
-        """Write the recurrence of tanh x and 1/cosh² x; see ``kernel_series.hyperbolic``."""
-        builder, by_k = self.builder, self.spread(self.builder.sitofp(k, DOUBLE))
+    def __init__(self, writer: _Writer, rows: dict[Any, Any], slot: int) -> None:
+        self.writer, self.rows, self.slot = writer, rows, slot
 
-        def convolve(moving: int, other: int) -> Any:
-            """Return Σ_{j<k} (k−j) x_{k−j} y_j of two nodes."""
+    def __getitem__(self, order: Any) -> _Value:
+        row = self.rows[order] if order in self.rows else self.writer.locate_row(order.value)
+        return _Value(self.writer, self.writer.z(row, self.slot))
 
-            def term(j: Any, total: Any) -> list[Any]:
-                late = builder.sub(k, j)
-                product = builder.fmul(self._z(self._locate_row(late), moving), self._z(self._locate_row(j), other))
-                return [builder.fadd(total, builder.fmul(self.spread(builder.sitofp(late, DOUBLE)), product))]
 
-            return self.loop(INTEGER(0), k, 1, [self.spread(DOUBLE(0.0))], term)[0]
+class _Sums(Words):
+    """Loops of LLVM."""
 
-        tanh = builder.fdiv(convolve(x, out + 1), by_k)
-        self.store(tanh, now, out * self.lanes)
-        twice = builder.fmul(self.spread(DOUBLE(-2.0)), convolve(out, out))
-        return [tanh, builder.fdiv(twice, by_k)]
+    def __init__(self, writer: _Writer) -> None:
+        self.writer = writer
 
-    def _orbital(self, k: Any, now: Any, out: int, x: int, eccentricity: Any) -> list[Any]:
-        """Write the recurrence of a place in an orbit; see ``kernel_series.orbital``."""
-        builder, zero, one = self.builder, self.spread(DOUBLE(0.0)), INTEGER(1)
-        by_k = self.spread(builder.sitofp(k, DOUBLE))
+    def totals(self, first: Any, stop: Any, starts: tuple[Any, ...], terms: Callable[[Any], Any]) -> list[_Value]:
+        writer = self.writer
+        carried = [x.value if isinstance(x, _Value) else writer.spread(DOUBLE(x)) for x in starts]
 
-        def of_anomaly(j: Any, total: Any) -> list[Any]:
-            past = self._z(self._locate_row(builder.sub(k, j)), out + 2)
-            term = builder.fmul(self._z(self._locate_row(j), out), past)
-            weighted = builder.fmul(self.spread(builder.sitofp(j, DOUBLE)), term)
-            return [builder.fadd(total, builder.fmul(eccentricity, weighted))]
+        def add(j: Any, *totals: Any) -> list[Any]:
+            parts = terms(_Value(writer, j))
+            return [writer.builder.fadd(total, part.value) for total, part in zip(totals, parts, strict=True)]
 
-        def of_sine(j: Any, sine: Any, cosine: Any) -> list[Any]:
-            weight = builder.fmul(self.spread(builder.sitofp(j, DOUBLE)), self._z(self._locate_row(j), out))
-            row = self._locate_row(builder.sub(k, j))
-            return [builder.fadd(sine, builder.fmul(weight, self._z(row, out + 2))),
-                    builder.fsub(cosine, builder.fmul(weight, self._z(row, out + 1)))]  # fmt: skip
-
-        (total,) = self.loop(one, k, 1, [builder.fmul(by_k, self._z(now, x))], of_anomaly)
-        anomaly = builder.fdiv(total, builder.fmul(by_k, self._z(self.flat, out + 3)))
-        self.store(anomaly, now, out * self.lanes)
-        totals = self.loop(one, builder.add(k, one), 1, [zero, zero], of_sine)
-        return [anomaly, *(builder.fdiv(of, by_k) for of in totals)]
+        return [_Value(writer, total) for total in writer.loop(INTEGER(first), stop.value, 1, carried, add)]
