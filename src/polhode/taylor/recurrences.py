@@ -10,8 +10,9 @@ A formula of coefficients yields those of all results of an operation, one after
 
 A formula of values has functions of numbers by their names in ``vectors``.
 
-``loops`` prints the formulas for Python and Numba, ``straight_line`` writes them as machine code. Sums are taken from
-the lowest j up, and products as their parentheses say; so Python, Numba and machine code agree to the last bit.
+``loops`` prints the formulas for Python and Numba, ``straight_line`` writes them as machine code, and
+``proving.enclosures`` runs them on balls. Sums are taken from the lowest j up, and products as their parentheses say;
+so Python, Numba and machine code agree to the last bit.
 
 Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §2.1; Griewank & Walther, *Evaluating Derivatives*, ch. 13.
 """

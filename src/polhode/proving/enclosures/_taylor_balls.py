@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import equinox as eqx
@@ -22,8 +22,9 @@ from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
 from polhode.taylor.jaxprs import numbers_in, uses_first, write_jaxpr
 from polhode.taylor.machine import TRACING, Form, tape_value
-from polhode.taylor.operations import Operation
+from polhode.taylor.operations import ALONG, COMPANIONS, Node, Operation
 from polhode.taylor.program import find_needed
+from polhode.taylor.recurrences import RECURRENCES, Words
 from polhode.taylor.tracing import evaluate, keep_numbers
 from polhode.types import Array, Float64
 
@@ -121,25 +122,44 @@ class BallSystem:
     def _nodes(self, y: list[Ball], parameters: list[Ball], places: list[int]) -> list[Ball]:
         z = [*y, *parameters, *[None] * len(self._tape.nodes)]
         for place in places:
-            z[place] = _first(self._tape.nodes[place - self._tape.size], z)
+            node = self._tape.nodes[place - self._tape.size]
+            if node.operation in RECURRENCES:
+                count = _count(node)
+                z[place : place + count] = _values(node, z)[:count]
+            elif node.operation not in ALONG:
+                z[place] = _combine(node, z)
         return z
 
     def coefficients(self, y: list[Ball], parameters: list[Ball], order: int) -> list[list[Ball]]:
         """Return the Taylor coefficients (n, order + 1) of the motion from a point."""
-        z: list[list[Ball]] = [[x] for x in self._nodes(y, parameters, self._of_rates)]
+        first = self._nodes(y, parameters, self._of_rates)
+        z: list[list[Ball]] = [[x] for x in first]
         moving = [(place, self._tape.nodes[place - self._tape.size]) for place in self._of_rates
                   if not self._still[place]]
-        for k in range(order):
+        own = {}
+        for place, node in moving:
+            if node.operation in RECURRENCES:
+                count = _count(node)
+                own[place] = z[place : place + count] + [[x] for x in _values(node, first)[count:]]
+        for k in range(1, order + 1):
             for i in range(self.size):
                 x = self._rates[i]
-                # y_{k+1} = f_k/(k + 1)
-                total = x.constant if k == 0 else 0
+                # y_k = f_{k−1}/k
+                total = x.constant if k == 1 else 0
                 for place, factor in x.terms.items():
-                    if k == 0 or not self._still[place]:
-                        total = z[place][k] * factor + total
-                z[i].append(total / (k + 1) if total != 0 or k == 0 else z[i][0] * 0)
+                    if k == 1 or not self._still[place]:
+                        total = z[place][k - 1] * factor + total
+                z[i].append(total / k if total != 0 or k == 1 else z[i][0] * 0)
             for place, node in moving:
-                z[place].append(_next(node, z, place, k + 1, self._still))
+                if node.operation in RECURRENCES:
+                    x = z[node.arguments[0]]
+                    results = RECURRENCES[node.operation].coefficients(
+                        BALLS, k, x, own[place], type(x[0])(node.number)
+                    )
+                    for series, value in zip(own[place], results, strict=False):
+                        series.append(value)
+                elif node.operation not in ALONG:
+                    z[place].append(_combination(node, z, k, self._still))
         return z[: self.size]
 
 
@@ -155,42 +175,26 @@ def _value(x: Expression, z: list[Ball]) -> Ball:
     return total
 
 
-def _first(node: Any, z: list[Ball]) -> Ball:
-    """Return the value of a node."""
+def _count(node: Node) -> int:
+    """Return how many nodes the results of a node are."""
+    return 1 + len(COMPANIONS.get(node.operation, ()))
+
+
+def _values(node: Node, z: list[Ball]) -> Sequence[Ball]:
+    """Return the values of a function's results."""
     x = z[node.arguments[0]]
-    match node.operation:
-        case Operation.AFFINE:
-            total = x * 0 + node.number
-            for k, factor in zip(node.arguments, node.coefficients, strict=True):
-                total += z[k] * factor
-            return total
-        case Operation.PRODUCT:
-            other = z[node.arguments[1]]
-            return x * x if node.arguments[0] == node.arguments[1] else x * other
-        case Operation.POWER:
-            return _power(x, node.number)
-        case Operation.EXPONENTIAL:
-            return x.exp()
-        case Operation.LOGARITHM:
-            return _analytic(x, "log")
-        case Operation.SINE:
-            return x.sin()
-        case Operation.COSINE:
-            return x.cos()
-        case Operation.TANH:
-            return x.tanh()
-        case Operation.SQUARED_SECANT:
-            return x.sech() ** 2
-        case Operation.EXPONENTIAL_MINUS_ONE:
-            return x.expm1()
-        case Operation.LOGARITHM_OF_ONE_PLUS:
-            return _analytic(x + 1, "log") if hasattr(x, "complex_rad") else x.log1p()
-        case Operation.ECCENTRIC:
-            return eccentric_anomaly(x, node.number)
-        case Operation.ECCENTRIC_SINE:
-            return z[node.arguments[1]].sin()
-        case _:
-            return z[node.arguments[1]].cos()
+    return RECURRENCES[node.operation].values(BALLS, x, type(x)(node.number))
+
+
+def _combine(node: Node, z: list[Ball]) -> Ball:
+    """Return the value of a sum or a product."""
+    x = z[node.arguments[0]]
+    if node.operation is Operation.PRODUCT:
+        return x * x if node.arguments[0] == node.arguments[1] else x * z[node.arguments[1]]
+    total = x * 0 + node.number
+    for k, factor in zip(node.arguments, node.coefficients, strict=True):
+        total += z[k] * factor
+    return total
 
 
 def eccentric_anomaly(mean_anomaly: Ball, eccentricity: float) -> Ball:
@@ -227,13 +231,43 @@ def _ball(middle: Ball, radius: Ball) -> Ball:
     return middle + (type(middle)(around, around) if hasattr(middle, "complex_rad") else around)
 
 
-def _power(x: Ball, exponent: float) -> Ball:
-    twice = 2.0 * exponent
-    if exponent.is_integer():
-        return x ** int(exponent)
-    if twice.is_integer():
-        return _analytic(x, "sqrt") ** int(twice)
-    return (_analytic(x, "log") * exponent).exp()
+class _Balls(Words):
+    """The words of ``recurrences`` for balls; NaN where a complex one meets a branch cut."""
+
+    exponential, exponential_minus_one = operator.methodcaller("exp"), operator.methodcaller("expm1")
+    sine, cosine, hyperbolic_tangent = (operator.methodcaller(name) for name in ("sin", "cos", "tanh"))
+    eccentric_anomaly = staticmethod(eccentric_anomaly)
+
+    def total(self, first: Any, stop: Any, start: Any, terms: Callable[[Any], Any]) -> Any:
+        if isinstance(start, tuple):
+            return self.totals(first, stop, start, terms)
+        return sum(map(terms, range(first, stop)), start)
+
+    def totals(self, first: Any, stop: Any, starts: tuple[Any, ...], terms: Callable[[Any], Any]) -> Sequence[Ball]:
+        sums = starts
+        for j in range(first, stop):
+            sums = tuple(map(operator.add, sums, terms(j)))
+        return sums
+
+    def squared_secant(self, x: Ball) -> Ball:
+        return x.sech() ** 2
+
+    def logarithm(self, x: Ball) -> Ball:
+        return _analytic(x, "log")
+
+    def logarithm_of_one_plus(self, x: Ball) -> Ball:
+        return _analytic(x + 1, "log") if hasattr(x, "complex_rad") else x.log1p()
+
+    def raise_power(self, x: Ball, exponent: Ball) -> Ball:
+        p = float(exponent.mid().real)
+        if p.is_integer():
+            return x ** int(p)
+        if (2.0 * p).is_integer():
+            return _analytic(x, "sqrt") ** int(2.0 * p)
+        return (_analytic(x, "log") * exponent).exp()
+
+
+BALLS = _Balls()
 
 
 def _analytic(x: Ball, function: str) -> Ball:
@@ -242,54 +276,18 @@ def _analytic(x: Ball, function: str) -> Ball:
     return getattr(x, function)(analytic=True) if is_complex else getattr(x, function)()
 
 
-def _next(node: Any, z: list[list[Ball]], place: int, k: int, still: list[bool]) -> Ball:
-    """Return the k-th coefficient of a node, k > 0, by those of lower orders; as ``kernel_series`` does."""
+def _combination(node: Node, z: list[list[Ball]], k: int, still: list[bool]) -> Ball:
+    """Return the k-th coefficient of a sum or a product, k > 0."""
     a = node.arguments[0]
-    x, own = z[a], z[place]
-    match node.operation:
-        case Operation.AFFINE:
-            total = x[0] * 0
-            for other, factor in zip(node.arguments, node.coefficients, strict=True):
-                if not still[other]:
-                    total += z[other][k] * factor
-            return total
-        case Operation.PRODUCT:
-            b = node.arguments[1]
-            if still[a] or still[b]:
-                constant, moving = (a, b) if still[a] else (b, a)
-                return z[constant][0] * z[moving][k]
-            return sum(map(operator.mul, x[: k + 1], reversed(z[b][: k + 1])), x[0] * 0)
-        case Operation.POWER:
-            total = x[0] * 0
-            for j in range(k):
-                # k x₀ u_k = Σ_{j<k} (p(k−j) − j) u_j x_{k−j}; the two whole numbers apart, as p(k−j) − j of doubles is
-                # rounded
-                term = own[j] * x[k - j]
-                total += term * (k - j) * node.number - term * j
-            return total / (k * x[0])
-        case Operation.EXPONENTIAL | Operation.EXPONENTIAL_MINUS_ONE:
-            total = sum(((k - j) * (own[j] * x[k - j]) for j in range(k)), x[0] * 0) / k
-            return total if node.operation is Operation.EXPONENTIAL else total + x[k]
-        case Operation.LOGARITHM | Operation.LOGARITHM_OF_ONE_PLUS:
-            total = sum((j * (own[j] * x[k - j]) for j in range(1, k)), x[0] * 0)
-            return (x[k] - total / k) / (x[0] if node.operation is Operation.LOGARITHM else 1 + x[0])
-        case Operation.TANH:
-            return sum(((k - j) * (x[k - j] * z[place + 1][j]) for j in range(k)), x[0] * 0) / k
-        case Operation.SQUARED_SECANT:
-            tanh = z[place - 1]
-            return sum(((k - j) * (tanh[k - j] * tanh[j]) for j in range(k)), x[0] * 0) * -2 / k
-        case Operation.SINE:
-            return sum(((k - j) * (x[k - j] * z[place + 1][j]) for j in range(k)), x[0] * 0) / k
-        case Operation.ECCENTRIC:
-            # k (1 − e c₀) E_k = k M_k + e Σ_{0<j<k} j E_j c_{k−j}
-            e, cosine = node.number, z[place + 2]
-            total = sum((j * (own[j] * cosine[k - j]) for j in range(1, k)), x[0] * 0) * e + k * x[k]
-            return total / (k * (1 - e * cosine[0]))
-        case Operation.ECCENTRIC_SINE | Operation.ECCENTRIC_COSINE:
-            anomaly = z[node.arguments[1]]
-            is_sine = node.operation is Operation.ECCENTRIC_SINE
-            other = z[place + 1] if is_sine else z[place - 1]
-            total = sum((j * (anomaly[j] * other[k - j]) for j in range(1, k + 1)), x[0] * 0) / k
-            return total if is_sine else -total
-        case _:  # the sine is the node before it
-            return -sum(((k - j) * (x[k - j] * z[place - 1][j]) for j in range(k)), x[0] * 0) / k
+    x = z[a]
+    if node.operation is Operation.PRODUCT:
+        b = node.arguments[1]
+        if still[a] or still[b]:
+            constant, moving = (a, b) if still[a] else (b, a)
+            return z[constant][0] * z[moving][k]
+        return sum(map(operator.mul, x[: k + 1], reversed(z[b][: k + 1])), x[0] * 0)
+    total = x[0] * 0
+    for other, factor in zip(node.arguments, node.coefficients, strict=True):
+        if not still[other]:
+            total += z[other][k] * factor
+    return total
