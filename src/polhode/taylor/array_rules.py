@@ -10,7 +10,7 @@ Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §2.1; Griewank & Walther, *Evalua
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import jax
@@ -22,7 +22,8 @@ from polhode._base.jax_inner import Literal
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.jaxprs import INNER
 from polhode.taylor.kernel_series import MAX_ANGLE_CHANGE, MAX_EXPONENT_CHANGE
-from polhode.taylor.operations import squared_secant
+from polhode.taylor.operations import Operation, squared_secant
+from polhode.taylor.recurrences import RECURRENCES, Word, Words
 from polhode.types import Array, Shaped
 
 AFFINE = frozenset((
@@ -201,23 +202,6 @@ def is_first(k: Any) -> bool:
     return isinstance(k, int) and k == 0
 
 
-def _pairs(left: Series, right: Series, k: Any) -> tuple[Array, Array, Any]:
-    """Return the factors a_j and b_{k−j} of Cauchy's product and j, so far as there are any; zero for others."""
-    if isinstance(left, list):
-        count = min(len(left), k + 1)  # own coefficients of order k are not known yet
-        return jnp.stack(left[:count]), jnp.stack([right[k - j] for j in range(count)]), np.arange(count)
-    return left, jnp.roll(jnp.asarray(right)[::-1], k + 1, axis=0), jnp.arange(len(left))
-
-
-def _convolve(left: Series, right: Series, k: Any, weigh: Callable[[Any], Any] | None = None) -> Array:
-    """Return Σ_j w(j) a_j b_{k−j}, without the term of j = k where a has none yet."""
-    left, right, j = _pairs(left, right, k)
-    products = left * right
-    if weigh is not None:
-        products = jnp.reshape(weigh(j) * 1.0, (-1, *[1] * (products.ndim - 1))) * products
-    return jnp.sum(products, axis=0)
-
-
 class Present:
     """The coefficient of the present order, where no other one is needed."""
 
@@ -235,13 +219,81 @@ def add_order(series: Any, value: Shaped[Array, "..."], k: Any) -> Any:
     return [*series, value] if isinstance(series, list) else series.at[k].set(value)
 
 
+class _Terms(Word):
+    """All terms of a sum, or factors of them: weights of their orders j, and arrays."""
+
+    def __init__(self, weights: Any, arrays: Any = 1) -> None:
+        self.weights, self.arrays = weights, arrays
+
+    def operate(self, symbol: str, left: Any, right: Any) -> _Terms:
+        one, other = (x if isinstance(x, _Terms) else _Terms(x) for x in (left, right))
+        if symbol == "-":  # of weights alone
+            return _Terms(one.weights - other.weights)
+        return _Terms(one.weights * other.weights, one.arrays * other.arrays)
+
+    def add_up(self) -> Array:
+        """Return the sum."""
+        weights = jnp.reshape(self.weights * 1.0, (-1, *[1] * (self.arrays.ndim - 1)))
+        return jnp.sum(weights * self.arrays, axis=0)
+
+
+class _Coefficients:
+    """The coefficients of an array; for the order j of a sum, and for k − j, those of all terms."""
+
+    def __init__(self, sums: _Sums, series: Series) -> None:
+        self.sums, self.series = sums, series
+
+    def __getitem__(self, order: Any) -> Any:
+        k, series = self.sums.k, self.series
+        if not isinstance(order, _Terms):
+            return series[order]
+        if isinstance(series, list):
+            return _Terms(1, jnp.stack([series[j] for j in order.weights]))
+        return _Terms(1, series if order is self.sums.j else jnp.roll(jnp.asarray(series)[::-1], k + 1, axis=0))
+
+
+class _Sums(Words):
+    """The words of ``recurrences`` for arrays; what is not known yet is zero in an array of all orders."""
+
+    sine, cosine, hyperbolic_tangent = staticmethod(jnp.sin), staticmethod(jnp.cos), staticmethod(jnp.tanh)
+
+    def __init__(self, k: Any, example: Series) -> None:
+        self.k, self.example = k, example
+
+    def squared_secant(self, x: Array) -> Array:
+        return squared_secant(x, jnp)
+
+    def orders(self, stop: Any) -> _Terms:
+        """Return the orders j of a sum, of an array all."""
+        self.j = _Terms(np.arange(stop) if isinstance(self.example, list) else jnp.arange(len(self.example)))
+        return self.j
+
+    def totals(self, first: Any, stop: Any, starts: tuple[Any, ...], terms: Callable[[Any], Any]) -> list[Array]:
+        # from j = 0, as terms before the first have weight zero
+        sums = (part.add_up() for part in terms(self.orders(stop)))
+        return [total if isinstance(x, float) else x + total for x, total in zip(starts, sums, strict=True)]
+
+
+def _factors(left: Series, right: Series, k: Any, stop: Any) -> tuple[Array, Array]:
+    """Return a_j and b_{k−j} for all j < stop."""
+    sums = _Sums(k, left)
+    j = sums.orders(stop)
+    return _Coefficients(sums, left)[j].arrays, _Coefficients(sums, right)[k - j].arrays
+
+
+def _cauchy(left: Series, right: Series, k: Any, stop: Any) -> Array:
+    """Return Σ a_j b_{k−j} over j < stop."""
+    a, b = _factors(left, right, k, stop)
+    return jnp.sum(a * b, axis=0)
+
+
 def _product(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
     """Products: the sum over all pairs of orders that add up to k, for matrices as one product of stacked blocks."""
 
     def rule(arguments: list[Series], own: list[Series], k: Any) -> list[Array]:
         if equation.primitive.name != "dot_general":
-            return [_convolve(arguments[0], arguments[-1], k)]
-        left, right, _ = _pairs(arguments[0], arguments[-1], k)
+            return [_cauchy(arguments[0], arguments[-1], k, k + 1)]
+        left, right = _factors(arguments[0], arguments[-1], k, k + 1)
         (of_left, of_right), (batch_left, batch_right) = equation.params["dimension_numbers"]
         later = lambda axes: tuple(axis + 1 for axis in axes)  # noqa: E731
         numbers = (((0, *later(of_left)), (0, *later(of_right))), (later(batch_left), later(batch_right)))
@@ -257,7 +309,7 @@ def _quotient(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Arra
         if is_first(k):
             return [value / below[0]]
         # q b = a: b₀ q_k = a_k − Σ_{j<k} q_j b_{k−j}
-        return [((value if 0 in moving else 0.0) - _convolve(own[0], below, k)) / below[0]]
+        return [((value if 0 in moving else 0.0) - _cauchy(own[0], below, k, k)) / below[0]]
 
     return rule
 
@@ -275,27 +327,15 @@ class _WholePower:
         powers = []
         lower = x
         for series in [*own[1:], own[0]]:
-            powers.append(_convolve(lower, x, k))
+            powers.append(_cauchy(lower, x, k, k + 1))
             lower = add_order(series, powers[-1], k)
         return [powers[-1], *powers[:-1]]
 
 
 def _power(p: float) -> Callable[..., Any]:
-    """Powers: u = xᵖ, k x₀ uₖ = Σ (p (k − j) − j) uⱼ x₍ₖ₋ⱼ₎."""
-
-    def make(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
-        if float(p).is_integer() and 0 < p <= 8:  # by products
-            return _WholePower(int(p))
-
-        def rule(arguments: list[Any], own: list[Series], k: Any) -> list[Array]:
-            x = arguments[0]
-            if is_first(k):
-                return bind(equation, [x[0], *arguments[1:]])
-            return [_convolve(own[0], x, k, lambda j: p * (k - j) - j) / (k * x[0])]
-
-        return rule
-
-    return make
+    if float(p).is_integer() and 0 < p <= 8:  # by products
+        return lambda *_: _WholePower(int(p))
+    return _function(Operation.POWER, p)
 
 
 def _read_exponent(value: Any) -> float:
@@ -304,66 +344,37 @@ def _read_exponent(value: Any) -> float:
     return float(np.reshape(value, ()))
 
 
-def _exponential(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
-    def rule(arguments: list[Series], own: list[Series], k: Any) -> list[Array]:
-        x = arguments[0]
+class _Function:
+    """A function of ``recurrences``: the equation's result is the first in an order of its results, others follow."""
+
+    def __init__(self, equation: Any, operation: Operation, number: float, order: Sequence[int]) -> None:
+        self.equation, self.recurrence, self.number, self.order = equation, RECURRENCES[operation], number, order
+        self.more = len(order) - 1
+
+    def __call__(self, arguments: list[Any], own: list[Series], k: Any) -> list[Array]:
+        x, sums = arguments[0], _Sums(k, own[0])
         if is_first(k):
-            return bind(equation, [x[0]])
-        # u = eˣ: u̇ = u ẋ, k u_k = Σ_{j<k} (k−j) u_j x_{k−j}; u = eˣ − 1: u̇ = (u + 1) ẋ
-        value = _convolve(own[0], x, k, lambda j: k - j) / k
-        return [value if equation.primitive.name == "exp" else value + x[k]]
-
-    return rule
-
-
-def _logarithm(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
-    def rule(arguments: list[Series], own: list[Series], k: Any) -> list[Array]:
-        x = arguments[0]
-        if is_first(k):
-            return [jnp.log(x[0])]
-        # x u̇ = ẋ: x₀ u_k = x_k − Σ_{0<j<k} j u_j x_{k−j}/k
-        return [(x[k] - _convolve(own[0], x, k, lambda j: j) / k) / x[0]]
-
-    return rule
+            values = self.recurrence.values(sums, x[0], self.number) if self.more else ()
+            return [*bind(self.equation, [x[0], *arguments[1:]]), *(values[place] for place in self.order[1:])]
+        argument, *series = (_Coefficients(sums, of) for of in (x, *(own[place] for place in self.order)))
+        results = []
+        for value in self.recurrence.coefficients(sums, k, argument, series, self.number):
+            if self.more:
+                result = series[len(results)]
+                result.series = add_order(result.series, value, k)
+            results.append(value)
+        return [results[place] for place in self.order]
 
 
-class _Tanh:
-    """tanh x, with 1/cosh² x as a second result."""
-
-    more = 1
-
-    def __call__(self, arguments: list[Series], own: list[Series], k: Any) -> list[Array]:
-        x, (tanh, square) = arguments[0], own
-        if is_first(k):
-            return [jnp.tanh(x[0]), squared_secant(x[0], jnp)]
-        # u̇ = v ẋ, v̇ = −2 u u̇
-        value = _convolve(square, x, k, lambda j: k - j) / k
-        known = add_order(tanh, value, k)
-        return [value, -2.0 * _convolve(known, known, k, lambda j: k - j) / k]
-
-
-class _Circular:
-    """Sine or cosine; the other one is a second result."""
-
-    more = 1
-
-    def __init__(self, is_sine: bool) -> None:
-        self.is_sine = is_sine
-
-    def __call__(self, arguments: list[Series], own: list[Series], k: Any) -> list[Array]:
-        x, sine, cosine = arguments[0], own[not self.is_sine], own[self.is_sine]
-        if is_first(k):
-            pair = jnp.sin(x[0]), jnp.cos(x[0])
-        else:
-            # ṡ = c ẋ, ċ = −s ẋ
-            pair = tuple(sign * _convolve(y, x, k, lambda j: k - j) / k for sign, y in ((1.0, cosine), (-1.0, sine)))
-        return list(pair if self.is_sine else pair[::-1])
+def _function(operation: Operation, number: float = 0.0, order: Sequence[int] = (0,)) -> Callable[..., _Function]:
+    return lambda equation, moving: _Function(equation, operation, number, order)
 
 
 RULES: dict[str, Callable[..., Any]] = {
-    "mul": _product, "dot_general": _product, "square": _product, "div": _quotient, "exp": _exponential,
-    "expm1": _exponential, "tanh": lambda *_: _Tanh(),
-    "log": _logarithm, "sin": lambda *_: _Circular(True), "cos": lambda *_: _Circular(False),
+    "mul": _product, "dot_general": _product, "square": _product, "div": _quotient,
+    "exp": _function(Operation.EXPONENTIAL), "expm1": _function(Operation.EXPONENTIAL_MINUS_ONE),
+    "log": _function(Operation.LOGARITHM), "tanh": _function(Operation.TANH, order=(0, 1)),
+    "sin": _function(Operation.SINE, order=(0, 1)), "cos": _function(Operation.SINE, order=(1, 0)),
     "integer_pow": lambda equation, moving: _power(equation.params["y"])(equation, moving), "sqrt": _power(0.5),
     "rsqrt": _power(-0.5), "cbrt": _power(1.0 / 3.0),
 }  # fmt: skip

@@ -10,9 +10,10 @@ A formula of coefficients yields those of all results of an operation, one after
 
 A formula of values has functions of numbers by their names in ``vectors``.
 
-``loops`` prints the formulas for Python and Numba, ``straight_line`` writes them as machine code, and
-``proving.enclosures`` runs them on balls. Sums are taken from the lowest j up, and products as their parentheses say;
-so Python, Numba and machine code agree to the last bit.
+``loops`` prints the formulas for Python and Numba, ``straight_line`` writes them as machine code, ``array_rules`` runs
+them on arrays of JAX and ``proving.enclosures`` on balls. Sums are taken from the lowest j up, and products as their
+parentheses say, but by arrays of JAX, where the weights of the orders come last: that is what Python, Numba and machine
+code agree by to the last bit.
 
 Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §2.1; Griewank & Walther, *Evaluating Derivatives*, ch. 13.
 """
@@ -51,7 +52,7 @@ class Word:
         raise NotImplementedError
 
     def __neg__(self) -> Any:
-        raise NotImplementedError
+        return self.operate("*", -1.0, self)
 
     def __add__(self, other: Any) -> Any:
         return self.operate("+", self, other)
