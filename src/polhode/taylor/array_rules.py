@@ -17,7 +17,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.arrays.steps import split_scan
+from polhode._base.jaxprs import split_scan
 from polhode._base.jax_inner import Literal
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.jaxprs import INNER

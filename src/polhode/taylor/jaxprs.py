@@ -9,7 +9,7 @@ from typing import Any
 import jax
 import numpy as np
 
-from polhode._base.arrays.steps import INNER
+from polhode._base.jaxprs import CALLED as INNER
 from polhode._base.jax_inner import ClosedJaxpr, Jaxpr, Literal
 
 

@@ -18,7 +18,8 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode._base.arrays.by_numpy import by_numbers, factors, spread, take_slice
-from polhode._base.arrays.steps import INNER, split_scan
+from polhode._base.jaxprs import CALLED as INNER
+from polhode._base.jaxprs import split_scan
 from polhode._base.jax_inner import Literal
 from polhode.taylor.elementary import (
     cube_root,

@@ -21,7 +21,8 @@ def by_numbers(equation: Any, arguments: list[Array]) -> list[Shaped[Array, "...
     if name in BY_NUMPY:  # JAX would compile each operation by itself
         with np.errstate(all="ignore"):  # JAX says nothing of infinite numbers either
             results = BY_NUMPY[name](arguments, equation.params)
-        return [np.asarray(results, equation.outvars[0].aval.dtype)]
+        results = results if type(results) is list else [results]
+        return [np.asarray(x, v.aval.dtype) for x, v in zip(results, equation.outvars, strict=True)]
     import jax
     import jax.numpy as jnp
 
@@ -202,6 +203,8 @@ BY_NUMPY: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
     "pad": lambda x, p: _pad(x[0], x[1], p["padding_config"]),
     "tile": lambda x, p: np.tile(x[0], p["reps"]),
     "slice": lambda x, p: take_slice(x[0], p),
+    "split": lambda x, p: np.split(x[0], np.cumsum(p["sizes"])[:-1], p["axis"]),
+    "unstack": lambda x, p: list(np.moveaxis(np.asarray(x[0]), p["axis"], 0)),
     "concatenate": lambda x, p: np.concatenate(x, axis=p["dimension"]),
     "convert_element_type": lambda x, p: _convert(x[0], p["new_dtype"]),
     "select_n": lambda x, p: _select(x),

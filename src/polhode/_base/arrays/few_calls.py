@@ -109,7 +109,8 @@ def _write(
     import equinox as eqx
     import jax
 
-    from polhode._base.arrays.steps import NoSteps, Steps
+    from polhode._base.arrays.steps import Steps
+    from polhode._base.jaxprs import Listing, NoRule
 
     static: list[Any] = []
 
@@ -124,8 +125,8 @@ def _write(
     shapes = [jax.ShapeDtypeStruct(*kind) for kind in kinds if len(kind) == 2]
     closed, results = jax.make_jaxpr(of_arrays, return_shape=True)(*shapes)
     try:
-        steps = Steps(closed)
-    except NoSteps:
+        steps = Steps(Listing(closed))
+    except NoRule:
         return None
     structure = jax.tree.structure(results)
 

@@ -10,7 +10,8 @@ import numpy as np
 
 from polhode._base.arrays.by_numpy import BY_NUMPY, by_numbers
 from polhode._base.arrays.namespaces import is_traced
-from polhode._base.arrays.steps import INNER, split_scan
+from polhode._base.jaxprs import CALLED as INNER
+from polhode._base.jaxprs import split_scan
 from polhode.errors import InvalidInput
 
 INDICES = ("i", "u", "b")  # kinds of numbers that indices are made of

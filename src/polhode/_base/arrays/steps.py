@@ -8,10 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode._base.arrays.by_numpy import BY_NUMPY
+from polhode._base.jaxprs import Branches, Listing, NoRule, Operation, Scan, While
 from polhode.types import Array, Shaped
-
-INNER = ("jaxpr", "call_jaxpr", "fun_jaxpr")
-LOOPS = ("scan", "while", "cond")
 
 
 class StepLimits(NamedTuple):
@@ -21,10 +19,6 @@ class StepLimits(NamedTuple):
 
 
 LIMITS = StepLimits()
-
-
-class NoSteps(Exception):
-    """A function has an operation that ``BY_NUMPY`` does not have, or a loop that is too long for Python."""
 
 
 class Step(NamedTuple):
@@ -46,28 +40,24 @@ class Step(NamedTuple):
 
 
 class Steps:
-    """A jaxpr as a list of steps, without those whose results are unused.
+    """A function as a list of steps, without those whose results are unused.
 
     Args:
-        closed: a jaxpr with its constants.
+        listing: its operations.
 
     Raises:
-        NoSteps: if NumPy does not have one of its operations.
+        NoRule: if NumPy does not have one of them, or a loop is too long for Python.
     """
 
-    def __init__(self, closed: Any) -> None:
-        self._constants: list[Any] = []  # by place, None where a value is computed
-        steps: list[Step] = []
-        self._inputs = [self._new() for _ in closed.jaxpr.invars]
-        self._outputs = self._add(steps, closed.jaxpr, closed.consts, self._inputs)
-        needed, kept = set(self._outputs), []
-        for step in reversed(steps):
-            if needed.intersection(step.results):
-                needed.update(step.operands)
-                kept.append(step)
+    def __init__(self, listing: Listing) -> None:
+        self._inputs, self._outputs = listing.inputs, listing.outputs
+        self._constants: list[Any] = [None] * listing.size  # by place, None where a value is computed
+        for place, value in (listing.literals | listing.constants).items():
+            self._constants[place] = np.asarray(value)
         self._steps: list[Step] = []
         known = [value is not None for value in self._constants]
-        for step in kept[::-1]:
+        for operation in listing.only().operations:
+            step = _make_step(operation)
             if all(known[k] for k in step.operands):  # what depends on constants alone is computed once
                 with np.errstate(all="ignore"):
                     self._take(step, self._constants)
@@ -103,88 +93,39 @@ class Steps:
         for place, value, kind in zip(results, computed, types, strict=True):
             values[place] = np.asarray(value, kind)
 
-    def _new(self, constant: Any = None) -> int:
-        self._constants.append(None if constant is None else np.asarray(constant))
-        return len(self._constants) - 1
 
-    def _add(self, steps: list[Step], jaxpr: Any, constants: Any, inputs: list[int]) -> list[int]:
-        """Append the steps of a jaxpr, and return the places of its values."""
-        places: dict[Any, int] = dict(zip(jaxpr.invars, inputs, strict=True))
-        places.update((variable, self._new(value)) for variable, value in zip(jaxpr.constvars, constants, strict=True))
-
-        def place(variable: Any) -> int:
-            return self._new(variable.val) if hasattr(variable, "val") else places[variable]
-
-        for equation in jaxpr.eqns:
-            name, operands = equation.primitive.name, [place(v) for v in equation.invars]
-            inner = None if name in LOOPS else next((equation.params[k] for k in INNER if k in equation.params), None)
-            if inner is not None:
-                plain, own = (inner.jaxpr, inner.consts) if hasattr(inner, "jaxpr") else (inner, [])
-                places.update(zip(equation.outvars, self._add(steps, plain, own, operands), strict=True))
-                continue
-            results = tuple(self._new() for _ in equation.outvars)
-            places.update(zip(equation.outvars, results, strict=True))
-            compute, types = _computation(equation), tuple(v.aval.dtype for v in equation.outvars)
-            steps.append(Step(compute, equation.params, tuple(operands), results, types))
-        return [place(v) for v in jaxpr.outvars]
+def _make_step(operation: Operation) -> Step:
+    """Return the step of an operation."""
+    make = LOOPS.get(type(operation.within))
+    compute = operation.rule(BY_NUMPY, "numbers") if make is None else make(operation.within)
+    types = tuple(kind.dtype for kind in operation.made)
+    return Step(compute, operation.parameters, operation.operands, operation.results, types)
 
 
-def _computation(equation: Any) -> Callable[[list[Array], Any], Any]:
-    name, parameters = equation.primitive.name, equation.params
-    if name in LOOPS:
-        return {"scan": _scan, "while": _while, "cond": _cond}[name](parameters)
-    if name == "split":
-        ends = np.cumsum(parameters["sizes"])[:-1]
-        return lambda x, p: np.split(x[0], ends, p["axis"])
-    if name == "unstack":
-        return lambda x, p: list(np.moveaxis(np.asarray(x[0]), p["axis"], 0))
-    if name not in BY_NUMPY:
-        raise NoSteps(name)
-    return BY_NUMPY[name]
+def _scan(loop: Scan) -> Callable[[list[Array], Any], list[Any]]:
+    body = Steps(loop.body)
+    if len(loop.order) * body.count > LIMITS.max_operations:
+        raise NoRule("a long loop")
+    return lambda x, p: loop.run(x, body, np.zeros)
 
 
-def split_scan(parameters: dict[str, Any]) -> tuple[int, int]:
-    """Return how many arguments of a scan are constants, and how many are carried from round to round."""
-    if "num_consts" in parameters:
-        return parameters["num_consts"], parameters["num_carry"]
-    constants, carried, _ = parameters["ft_in"].unpack()  # JAX 0.11 and later
-    return len(constants), len(carried)
-
-
-def _scan(parameters: dict[str, Any]) -> Callable[[list[Array], Any], list[Any]]:
-    body, (fixed, carried) = Steps(parameters["jaxpr"]), split_scan(parameters)
-    length, jaxpr = parameters["length"], parameters["jaxpr"]
-    if length * body.count > LIMITS.max_operations:
-        raise NoSteps("a long loop")
-    order = range(length)[:: -1 if parameters["reverse"] else 1]
+def _while(loop: While) -> Callable[[list[Array], Any], list[Any]]:
+    holds, body = Steps(loop.condition), Steps(loop.body)
 
     def compute(x: list[Array], p: Any) -> list[Any]:
-        constants, carry, rows = x[:fixed], x[fixed : fixed + carried], x[fixed + carried :]
-        stacks = [np.zeros((length, *v.aval.shape), v.aval.dtype) for v in jaxpr.jaxpr.outvars[carried:]]
-        for k in order:
-            computed = body([*constants, *carry, *(row[k] for row in rows)])
-            carry = computed[:carried]
-            for stack, value in zip(stacks, computed[carried:], strict=True):
-                stack[k] = value
-        return [*carry, *stacks]
-
-    return compute
-
-
-def _while(parameters: dict[str, Any]) -> Callable[[list[Array], Any], list[Any]]:
-    holds, body = Steps(parameters["cond_jaxpr"]), Steps(parameters["body_jaxpr"])
-    first, second = parameters["cond_nconsts"], parameters["cond_nconsts"] + parameters["body_nconsts"]
-
-    def compute(x: list[Array], p: Any) -> list[Any]:
-        carry = x[second:]
-        while holds([*x[:first], *carry])[0]:
-            carry = body([*x[first:second], *carry])
+        of_condition, of_body, carry = loop.split(x)
+        while holds([*of_condition, *carry])[0]:
+            carry = body([*of_body, *carry])
         return carry
 
     return compute
 
 
-def _cond(parameters: dict[str, Any]) -> Callable[[list[Array], Any], list[Any]]:
-    branches = [Steps(branch) for branch in parameters["branches"]]
-    last = len(branches) - 1
-    return lambda x, p: branches[int(np.clip(x[0], 0, last))](x[1:])
+def _branch(branches: Branches) -> Callable[[list[Array], Any], list[Any]]:
+    each = [Steps(branch) for branch in branches.each]
+    return lambda x, p: each[branches.place(x[0])](x[1:])
+
+
+LOOPS: dict[Any, Callable[[Any], Callable[[list[Array], Any], list[Any]]]] = {
+    Scan: _scan, While: _while, Branches: _branch,
+}  # fmt: skip
