@@ -106,8 +106,8 @@ class Call(NamedTuple):
     body: Listing
 
 
-class Operation(NamedTuple):
-    """One operation.
+class Entry(NamedTuple):
+    """One operation of a listing.
 
     Attributes:
         name: of JAX's primitive, or of a function that is called as a whole.
@@ -140,14 +140,14 @@ class Operation(NamedTuple):
         results = primitive.bind(*values, **self.parameters)
         return list(results) if primitive.multiple_results else [results]
 
-    def rule(self, rules: Mapping[str, Rule], of: str) -> Rule:
+    def rule(self, rules: Mapping[str, Rule], of: str, refusal: type[NoRule] = NoRule) -> Rule:
         """Return the rule of an arithmetic.
 
         Raises:
-            NoRule: where it has none for this operation ``of`` something.
+            NoRule: or the refusal of the arithmetic, where it has none for this operation ``of`` something.
         """
         if self.name not in rules:
-            raise NoRule(f"`{self.name}` of {of}")
+            raise refusal(f"`{self.name}` of {of}")
         return rules[self.name]
 
 
@@ -169,7 +169,7 @@ class Listing:
     def __init__(self, closed: Any, whole: frozenset[str] = frozenset()) -> None:
         self.literals: dict[int, Any] = {}
         self.constants: dict[int, Any] = {}
-        self.operations: list[Operation] = []
+        self.entries: list[Entry] = []
         self.size, self._whole = 0, whole
         jaxpr, constants = _open(closed)
         self.inputs = [self._new() for _ in jaxpr.invars]
@@ -177,14 +177,14 @@ class Listing:
         self.kinds = [v.aval for v in jaxpr.outvars]
 
     def run(
-        self, arguments: Iterable[Any], apply: Callable[[Operation, list[Any]], Iterable[Any]],
+        self, arguments: Iterable[Any], apply: Callable[[Entry, list[Any]], Iterable[Any]],
         read: Callable[[Any], Any] = lambda number: number,
     ) -> list[Any]:
         """Return the outputs in an arithmetic.
 
         Args:
             arguments: values of the inputs.
-            apply: (operation, values of its operands) → values of its results.
+            apply: (entry, values of its operands) → values of its results.
             read: a literal or a constant → its value.
         """
         values: list[Any] = [None] * self.size
@@ -193,9 +193,9 @@ class Listing:
                 values[place] = read(number)
         for place, value in zip(self.inputs, arguments, strict=True):
             values[place] = value
-        for operation in self.operations:
-            results = apply(operation, [values[place] for place in operation.operands])
-            for place, value in zip(operation.results, results, strict=True):
+        for entry in self.entries:
+            results = apply(entry, [values[place] for place in entry.operands])
+            for place, value in zip(entry.results, results, strict=True):
                 values[place] = value
         return [values[place] for place in self.outputs]
 
@@ -205,11 +205,11 @@ class Listing:
         if wanted is not None:
             made.outputs, made.kinds = [self.outputs[k] for k in wanted], [self.kinds[k] for k in wanted]
         needed, kept = set(made.outputs), []
-        for operation in reversed(self.operations):
-            if not needed.isdisjoint(operation.results):
-                needed.update(operation.operands)
-                kept.append(operation)
-        made.operations = kept[::-1]
+        for entry in reversed(self.entries):
+            if not needed.isdisjoint(entry.results):
+                needed.update(entry.operands)
+                kept.append(entry)
+        made.entries = kept[::-1]
         return made
 
     def with_constants(self, convert: Callable[[Any], Any]) -> Listing:
@@ -246,7 +246,7 @@ class Listing:
             places.update(zip(equation.outvars, results, strict=True))
             name = equation.primitive.name if called is None else equation.params["name"]
             within = self._find_within(equation, called) if name in LOOPS or called is not None else None
-            self.operations.append(Operation(name, equation.params, operands, results, within, equation))
+            self.entries.append(Entry(name, equation.params, operands, results, within, equation))
         return [find(v) for v in jaxpr.outvars]
 
     def _find_within(self, equation: Any, called: Any) -> Scan | While | Branches | Call:
@@ -294,8 +294,8 @@ def _mark(listing: Listing, marks: list[bool]) -> list[bool]:
     return listing.run(marks, _mark_results, lambda number: False)
 
 
-def _mark_results(operation: Operation, marks: list[bool]) -> list[bool]:
-    within, none = operation.within, [False] * len(operation.results)
+def _mark_results(entry: Entry, marks: list[bool]) -> list[bool]:
+    within, none = entry.within, [False] * len(entry.results)
     if not any(marks):
         return none
     if isinstance(within, Branches) and not marks[0]:

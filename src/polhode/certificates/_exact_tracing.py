@@ -10,7 +10,6 @@ import math
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 from functools import lru_cache
-from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import jax
@@ -69,8 +68,7 @@ def trace_polynomials(
     except (TypeError, jax.errors.JAXTypeError):  # it cannot be taken apart, or branches on its own numbers
         closed = jax.make_jaxpr(function)(jnp.zeros(size))
         given = [point]
-    known = SimpleNamespace(jaxpr=closed.jaxpr, consts=[_exact(tape, np.asarray(x)) for x in closed.consts])
-    (traced,) = evaluate(known, *given)
+    (traced,) = evaluate(closed, *given, read=lambda x: _exact(tape, np.asarray(x)))
     return [tape.as_polynomial(x) for x in np.ravel(traced)]
 
 

@@ -17,8 +17,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.jaxprs import split_scan
 from polhode._base.jax_inner import Literal
+from polhode._base.jaxprs import split_scan
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.jaxprs import INNER
 from polhode.taylor.kernel_series import MAX_ANGLE_CHANGE, MAX_EXPONENT_CHANGE

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode._base.jaxprs import NoRule
 from polhode.taylor.operations import ALONG, COMPANIONS, IN_ORBIT, Node, Operation, value_of
 from polhode.types import Array, Bool
 
@@ -30,7 +31,7 @@ class TapeLimits(NamedTuple):
 LIMITS = TapeLimits()
 
 
-class Untraceable(Exception):
+class Untraceable(NoRule):
     """A field with an operation that a tape does not have, which the message names.
 
     ``copies`` (C,) says which of a batch come to it; it is None where all do.

@@ -9,8 +9,8 @@ from typing import Any
 import jax
 import numpy as np
 
-from polhode._base.jaxprs import CALLED as INNER
 from polhode._base.jax_inner import ClosedJaxpr, Jaxpr, Literal
+from polhode._base.jaxprs import CALLED as INNER
 
 
 def write_jaxpr(function: Callable[..., Any], *shapes: tuple[int, ...]) -> Any:

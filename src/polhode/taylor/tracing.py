@@ -17,10 +17,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.arrays.by_numpy import by_numbers, factors, spread, take_slice
-from polhode._base.jaxprs import CALLED as INNER
-from polhode._base.jaxprs import split_scan
-from polhode._base.jax_inner import Literal
+from polhode._base.arrays.by_numpy import MOVES, by_numbers, factors
+from polhode._base.jaxprs import Call, Entry, Listing
 from polhode.taylor.elementary import (
     cube_root,
     eccentric_anomaly,
@@ -32,12 +30,12 @@ from polhode.taylor.elementary import (
     sine_and_cosine,
 )
 from polhode.taylor.expressions import Complex, Expression, Tape, Untraceable, total
-from polhode.taylor.jaxprs import select_needed
 from polhode.types import Array
 
-Rule = Callable[[list[Array], dict[str, Any], Any], list[Array]]
+Rule = Callable[[list[Array], Entry], list[Any]]
 RULES: dict[str, Rule] = {}
-NAMED: dict[str, Callable[..., Array]] = {}  # of functions of polhode's own that JAX compiles by themselves
+NAMED = frozenset(("solve_kepler", "_whole_turns"))  # functions of polhode's own that have rules as operations have
+
 
 class TracingLimits(NamedTuple):
     """The largest operations that are written out."""
@@ -67,13 +65,16 @@ def keep_numbers(tape: Tape) -> Iterator[None]:
         _keeping.reset(token)
 
 
-def evaluate(closed: Any, *arguments: Array, places: Sequence[int] | None = None) -> list[Any]:
+def evaluate(
+    closed: Any, *arguments: Array, places: Sequence[int] | None = None, read: Callable[[Any], Any] = np.asarray
+) -> list[Any]:
     """Return the values of a jaxpr: all, or those at some places, with those that these need.
 
     Args:
         closed: of a function of real arrays.
         arguments: arrays of expressions (dtype object), or of numbers.
         places: of the values that are wanted.
+        read: a constant in the function → an array of expressions or of numbers.
 
     Returns:
         Arrays of expressions or numbers.
@@ -81,58 +82,39 @@ def evaluate(closed: Any, *arguments: Array, places: Sequence[int] | None = None
     Raises:
         Untraceable: if they are not made of operations that have a recurrence.
     """
-    outputs = closed.jaxpr.outvars if places is None else [closed.jaxpr.outvars[k] for k in places]
-    return _evaluate(closed.jaxpr, closed.consts, [np.asarray(a) for a in arguments], outputs)
+    listing = Listing(closed, NAMED).only(places).with_constants(read)
+    return _run(listing, [np.asarray(a) for a in arguments])
 
 
-def _evaluate(jaxpr: Any, constants: Any, arguments: list[Array], outputs: list[Any]) -> list[Array]:
-    known: dict[Any, Array] = {}
+def _run(listing: Listing, arguments: list[Array]) -> list[Array]:
     tape = _keeping.get()
-
-    def keep(numbers: Any) -> Array:
-        return np.asarray(numbers) if tape is None else tape.keep(np.asarray(numbers))
-
-    def read(variable: Any) -> Array:
-        return keep(variable.val) if isinstance(variable, Literal) else known[variable]
-
-    known.update(zip(jaxpr.constvars, map(keep, constants), strict=True))
-    known.update(zip(jaxpr.invars, arguments, strict=True))
-    for equation in select_needed(outputs, jaxpr.eqns):
-        operands = [read(v) for v in equation.invars]
-        known.update(zip(equation.outvars, _apply(equation, operands), strict=True))
-    return [read(v) for v in outputs]
+    return listing.run(arguments, _apply, np.asarray if tape is None else lambda x: tape.keep(np.asarray(x)))
 
 
-def _apply(equation: Any, arguments: list[Array]) -> list[Array]:
-    name, parameters = equation.primitive.name, equation.params
-    inner = next((parameters[k] for k in INNER if k in parameters), None)
-    if parameters.get("name") in NAMED and any(a.dtype == object for a in arguments):
-        return [NAMED[parameters["name"]](*arguments)]
-    if name not in RULES and inner is not None and name not in ("scan", "while", "cond"):
-        plain, constants = (inner.jaxpr, inner.consts) if hasattr(inner, "jaxpr") else (inner, [])
-        return _evaluate(plain, constants, arguments, plain.outvars)
-    if not any(a.dtype == object for a in arguments):
-        tape = _keeping.get()
-        return by_numbers(equation, arguments) if tape is None else _by_exact_numbers(equation, arguments, tape)
-    if name not in RULES:
-        raise Untraceable(f"`{name}` of something that moves")
-    return [a if isinstance(a, np.ndarray) else _array(a) for a in RULES[name](arguments, parameters, equation)]
+def _apply(entry: Entry, arguments: list[Array]) -> list[Array]:
+    if any(a.dtype == object for a in arguments):
+        results = entry.rule(RULES, "something that moves", Untraceable)(arguments, entry)
+        return [a if isinstance(a, np.ndarray) else _array(a) for a in results]
+    if isinstance(entry.within, Call):
+        return _run(entry.within.body, arguments)
+    tape = _keeping.get()
+    return by_numbers(entry, arguments) if tape is None else _by_exact_numbers(entry, arguments, tape)
 
 
-def _by_exact_numbers(equation: Any, arguments: list[Array], tape: Tape) -> list[Array]:
+def _by_exact_numbers(entry: Entry, arguments: list[Array], tape: Tape) -> list[Array]:
     """Compute numbers from numbers, and note on the tape whether any of them was rounded."""
-    name, has_complex = equation.primitive.name, any(np.iscomplexobj(a) for a in arguments)
-    has_doubles = any(jnp.issubdtype(v.aval.dtype, jnp.inexact) for v in equation.outvars)
+    name, has_complex = entry.name, any(np.iscomplexobj(a) for a in arguments)
+    has_doubles = any(jnp.issubdtype(kind.dtype, jnp.inexact) for kind in entry.made)
     is_exact = name in EXACT and not (name == "abs" and has_complex)
     if is_exact or not has_doubles:  # whole numbers and truth values are not rounded either
-        return by_numbers(equation, arguments)
+        return by_numbers(entry, arguments)
     if name not in RULES or has_complex:
         tape.rounded = True
-        return by_numbers(equation, arguments)
+        return by_numbers(entry, arguments)
     expressions = [_each(tape.constant, a) if np.issubdtype(a.dtype, np.inexact) else a for a in arguments]
-    results = [np.asarray(a) for a in RULES[name](expressions, equation.params, equation)]
-    return [_each(lambda x: x.constant if isinstance(x, Expression) else x, a).astype(v.aval.dtype)
-            for a, v in zip(results, equation.outvars, strict=True)]
+    results = [np.asarray(a) for a in RULES[name](expressions, entry)]
+    return [_each(lambda x: x.constant if isinstance(x, Expression) else x, a).astype(kind.dtype)
+            for a, kind in zip(results, entry.made, strict=True)]
 
 
 def _array(x: Any) -> Array:
@@ -167,20 +149,20 @@ def _find_tape(*arrays: Array) -> Tape:
 
 # ---------------------------------------------------------------------- arithmetic
 
-RULES["add"] = RULES["add_any"] = lambda x, p, e: [np.asarray(x[0] + x[1], object)]
-RULES["sub"] = lambda x, p, e: [np.asarray(x[0] - x[1], object)]
-RULES["mul"] = lambda x, p, e: [np.asarray(x[0] * x[1], object)]
-RULES["div"] = lambda x, p, e: [np.asarray(x[0] / x[1], object)]
-RULES["neg"] = lambda x, p, e: [np.asarray(-x[0], object)]
-RULES["integer_pow"] = lambda x, p, e: [_each(lambda a: a ** p["y"], x[0])]
-RULES["square"] = lambda x, p, e: [np.asarray(x[0] * x[0], object)]
-RULES["sqrt"] = lambda x, p, e: [_each(lambda a: a**0.5, x[0])]
-RULES["rsqrt"] = lambda x, p, e: [_each(lambda a: a**-0.5, x[0])]
-RULES["cbrt"] = lambda x, p, e: [_each(cube_root, x[0])]
+RULES["add"] = RULES["add_any"] = lambda x, o: [np.asarray(x[0] + x[1], object)]
+RULES["sub"] = lambda x, o: [np.asarray(x[0] - x[1], object)]
+RULES["mul"] = lambda x, o: [np.asarray(x[0] * x[1], object)]
+RULES["div"] = lambda x, o: [np.asarray(x[0] / x[1], object)]
+RULES["neg"] = lambda x, o: [np.asarray(-x[0], object)]
+RULES["integer_pow"] = lambda x, o: [_each(lambda a: a ** o.parameters["y"], x[0])]
+RULES["square"] = lambda x, o: [np.asarray(x[0] * x[0], object)]
+RULES["sqrt"] = lambda x, o: [_each(lambda a: a**0.5, x[0])]
+RULES["rsqrt"] = lambda x, o: [_each(lambda a: a**-0.5, x[0])]
+RULES["cbrt"] = lambda x, o: [_each(cube_root, x[0])]
 
 
 @_rule("pow")
-def _power(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+def _power(x: list[Array], entry: Entry) -> list[Array]:
     base, exponent = np.broadcast_arrays(*x)
     tape, result = _find_tape(*x), np.empty(base.shape, object)
     for k in np.ndindex(base.shape):
@@ -192,12 +174,12 @@ def _power(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Ar
 
 
 def _elementary(function: Callable[[Expression], Expression]) -> Rule:
-    def rule(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    def rule(x: list[Array], entry: Entry) -> list[Array]:
         tape = _find_tape(x[0])
 
         def of(a: Any) -> Expression:
             if isinstance(a, Complex):
-                raise Untraceable(f"`{equation.primitive.name}` of a complex number")
+                raise Untraceable(f"`{entry.name}` of a complex number")
             return function(a if isinstance(a, Expression) else tape.constant(float(a)))
 
         return [_each(of, x[0])]
@@ -205,19 +187,17 @@ def _elementary(function: Callable[[Expression], Expression]) -> Rule:
     return rule
 
 
-def _place_in_orbit(mean_anomaly: Array, eccentricity: Array) -> Array:
-    anomalies, e = np.broadcast_arrays(mean_anomaly, eccentricity)
-    tape, numbers = _find_tape(mean_anomaly), []
+@_rule("solve_kepler")
+def _place_in_orbit(x: list[Array], entry: Entry) -> list[Array]:
+    anomalies, e = np.broadcast_arrays(*x)
+    tape, numbers = _find_tape(anomalies), []
     for x in e.flat:
         number = tape.find_number(x)
         if number is None:
             raise Untraceable("an eccentricity that moves")
         numbers.append(number)
     eccentric = [eccentric_anomaly(x, y) for x, y in zip(anomalies.flat, numbers, strict=True)]
-    return np.array([None, *eccentric], object)[1:].reshape(anomalies.shape)
-
-
-NAMED["solve_kepler"] = _place_in_orbit
+    return [np.array([None, *eccentric], object)[1:].reshape(anomalies.shape)]
 
 
 RULES["sin"] = _elementary(lambda a: sine_and_cosine(a)[0])
@@ -225,7 +205,7 @@ RULES["cos"] = _elementary(lambda a: sine_and_cosine(a)[1])
 RULES["tan"] = _elementary(lambda a: sine_and_cosine(a)[0] / sine_and_cosine(a)[1])
 RULES["exp"] = _elementary(exponential)
 # of a mean anomaly, and what is a function of the place in an orbit goes on smoothly beyond a turn
-NAMED["_whole_turns"] = lambda mean_anomaly: np.zeros(mean_anomaly.shape)
+RULES["_whole_turns"] = lambda x, o: [np.zeros(x[0].shape)]
 RULES["log"] = _elementary(logarithm)
 RULES["log1p"] = _elementary(logarithm_of_one_plus)
 RULES["expm1"] = _elementary(exponential_minus_one)
@@ -240,7 +220,7 @@ RULES["logistic"] = _elementary(lambda a: 1.0 / (exponential(-a) + 1.0))
 
 
 def _comparison(compare: Callable[[Any, Any], Any]) -> Rule:
-    def rule(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    def rule(x: list[Array], entry: Entry) -> list[Array]:
         tape = _find_tape(*x)
         one, other = np.broadcast_arrays(*x)
         result = np.empty(one.shape, bool)
@@ -256,7 +236,7 @@ for _name in ("lt", "le", "gt", "ge", "eq", "ne"):
 
 
 def _choose_rule(first: Callable[[Any, Any], Any]) -> Rule:
-    def rule(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+    def rule(x: list[Array], entry: Entry) -> list[Array]:
         tape = _find_tape(*x)
         return [_pairs(lambda a, b: a if tape.relation(a, b, first) else b, *np.broadcast_arrays(*x))]
 
@@ -272,8 +252,8 @@ RULES["sign"] = _elementary(lambda a: a.tape.constant(1.0 if a.tape.relation(a, 
 
 
 @_rule("reduce_sum")
-def _sum(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-    axes, tape = tuple(parameters["axes"]), _find_tape(x[0])
+def _sum(x: list[Array], entry: Entry) -> list[Array]:
+    axes, tape = tuple(entry.parameters["axes"]), _find_tape(x[0])
     kept = [k for k in range(x[0].ndim) if k not in axes]
     moved = np.transpose(x[0], (*kept, *axes))
     shape = moved.shape[: len(kept)]
@@ -284,13 +264,13 @@ def _sum(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Arra
 
 
 @_rule("reduce_prod")
-def _multiply_all(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-    return [np.multiply.reduce(x[0], axis=tuple(parameters["axes"]))]
+def _multiply_all(x: list[Array], entry: Entry) -> list[Array]:
+    return [np.multiply.reduce(x[0], axis=tuple(entry.parameters["axes"]))]
 
 
 @_rule("dot_general")
-def _dot(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-    left, right, shape = factors(x, parameters)
+def _dot(x: list[Array], entry: Entry) -> list[Array]:
+    left, right, shape = factors(x, entry.parameters)
     tape, result = _find_tape(*x), np.empty((*left.shape[:2], right.shape[1]), object)
     for k, i, j in np.ndindex(result.shape):
         pairs = zip(left[k, i], right[k, j], strict=True)
@@ -306,10 +286,10 @@ def _is_zero(x: Any) -> bool:
 
 # ---------------------------------------------------------------------- complex numbers
 
-RULES["complex"] = lambda x, p, e: [_pairs(Complex, *np.broadcast_arrays(*x))]
-RULES["real"] = lambda x, p, e: [_each(lambda a: Complex.of(a).real, x[0])]
-RULES["imag"] = lambda x, p, e: [_each(lambda a: Complex.of(a).imag, x[0])]
-RULES["conj"] = lambda x, p, e: [_each(lambda a: Complex.of(a).conjugate(), x[0])]
+RULES["complex"] = lambda x, o: [_pairs(Complex, *np.broadcast_arrays(*x))]
+RULES["real"] = lambda x, o: [_each(lambda a: Complex.of(a).real, x[0])]
+RULES["imag"] = lambda x, o: [_each(lambda a: Complex.of(a).imag, x[0])]
+RULES["conj"] = lambda x, o: [_each(lambda a: Complex.of(a).conjugate(), x[0])]
 
 
 def _pairs(make: Callable[[Any, Any], Any], a: Array, b: Array) -> Array:
@@ -321,70 +301,47 @@ def _pairs(make: Callable[[Any, Any], Any], a: Array, b: Array) -> Array:
 
 # ---------------------------------------------------------------------- data that moves
 
-for _name in ("copy", "copy_p", "stop_gradient", "device_put", "reduce_precision"):
-    RULES[_name] = lambda x, p, e: [x[0]]
-RULES["optimization_barrier"] = lambda x, p, e: x
-RULES["reshape"] = lambda x, p, e: [x[0].reshape(p["new_sizes"])]
-RULES["squeeze"] = lambda x, p, e: [np.squeeze(x[0], axis=tuple(p["dimensions"]))]
-RULES["expand_dims"] = lambda x, p, e: [np.expand_dims(x[0], tuple(p["dimensions"]))]
-RULES["broadcast_in_dim"] = lambda x, p, e: [spread(x[0], p)]
-RULES["slice"] = lambda x, p, e: [take_slice(x[0], p)]
-RULES["transpose"] = lambda x, p, e: [np.transpose(x[0], p["permutation"])]
-RULES["rev"] = lambda x, p, e: [np.flip(x[0], tuple(p["dimensions"]))]
-RULES["concatenate"] = lambda x, p, e: [np.concatenate([np.asarray(a, object) for a in x], axis=p["dimension"])]
+
+def _moving(move: Callable[[list[Array], dict[str, Any]], Any]) -> Rule:
+    def rule(x: list[Array], entry: Entry) -> list[Any]:
+        moved = move(x, entry.parameters)
+        return moved if isinstance(moved, list) else [moved]
+
+    return rule
+
+
+RULES.update({name: _moving(move) for name, move in MOVES.items()})
+for _name in ("copy_p", "device_put", "reduce_precision"):
+    RULES[_name] = lambda x, o: [x[0]]
+RULES["optimization_barrier"] = lambda x, o: x
 
 
 @_rule("convert_element_type")
-def _convert(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-    if not jnp.issubdtype(parameters["new_dtype"], jnp.inexact):
-        raise Untraceable(f"conversion to {parameters['new_dtype']}")
+def _convert(x: list[Array], entry: Entry) -> list[Array]:
+    if not jnp.issubdtype(entry.parameters["new_dtype"], jnp.inexact):
+        raise Untraceable(f"conversion to {entry.parameters['new_dtype']}")
     return [x[0]]
 
 
-@_rule("split")
-def _split(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-    return list(np.split(x[0], np.cumsum(parameters["sizes"])[:-1], axis=parameters["axis"]))
-
-
 @_rule("select_n")
-def _select(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+def _select(x: list[Array], entry: Entry) -> list[Array]:
     if x[0].dtype == object:
         raise Untraceable("a branch on something that moves (`select_n`)")
-    which, *cases = np.broadcast_arrays(*x)
-    result = np.empty(which.shape, object)
-    for k in np.ndindex(which.shape):
-        result[k] = cases[int(which[k])][k]
-    return [result]
-
-
-@_rule("gather", "dynamic_slice", "scatter", "pad", "dynamic_update_slice", "unstack", "stack")
-def _rearrange(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
-    """Apply an operation that moves data to the indices of elements, and move the elements accordingly."""
-    elements: list[Any] = []
-    numbered = []
-    for a in x:
-        if a.dtype == object or jnp.issubdtype(a.dtype, jnp.inexact):
-            places = np.arange(len(elements), len(elements) + a.size, dtype=float)
-            elements.extend(np.asarray(a).flat)
-            numbered.append(places.reshape(a.shape))
-        else:
-            numbered.append(a)
-    # places have the type of the moving values, which may be complex
-    return [_each(lambda k: elements[int(k)], np.real(places)) for places in by_numbers(equation, numbered)]
+    return [MOVES["select_n"](x, entry.parameters)]
 
 
 @_rule("scatter-add", "scatter_add", "cumsum", "triangular_solve", "reduce_window_sum", "fft")
-def _linear(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+def _linear(x: list[Array], entry: Entry) -> list[Array]:
     """Apply an operation linear in moving values to unit vectors, in real and imaginary parts."""
     moving = [k for k, a in enumerate(x) if a.dtype == object]
-    if equation.primitive.name == "triangular_solve" and 0 in moving:
+    if entry.name == "triangular_solve" and 0 in moving:
         raise Untraceable("a linear system whose matrix moves")
-    kinds = [equation.invars[k].aval.dtype for k in range(len(x))]
+    kinds = [kind.dtype for kind in entry.given]
     parts = [2 if jnp.issubdtype(kind, jnp.complexfloating) else 1 for kind in kinds]
     size = sum(x[k].size * parts[k] for k in moving)
     if size > LIMITS.max_linear_size:
-        raise Untraceable(f"`{equation.primitive.name}` of {size} numbers")
-    result = equation.outvars[0].aval
+        raise Untraceable(f"`{entry.name}` of {size} numbers")
+    [result] = entry.made
     is_complex = jnp.issubdtype(result.dtype, jnp.complexfloating)
 
     def of(flat: Any) -> Any:
@@ -394,8 +351,7 @@ def _linear(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
             numbers = flat[start : start + x[k].size * parts[k]].reshape(*x[k].shape, parts[k])
             arguments[k] = numbers[..., 0] if parts[k] == 1 else jax.lax.complex(numbers[..., 0], numbers[..., 1])
             start += x[k].size * parts[k]
-        output = equation.primitive.bind(*arguments, **parameters)
-        output = jnp.ravel(output[0] if equation.primitive.multiple_results else output)
+        output = jnp.ravel(entry.bind(arguments)[0])
         return jnp.stack([jnp.real(output), jnp.imag(output)], -1).ravel() if is_complex else output
 
     zero, matrix = np.asarray(of(jnp.zeros(size))), np.asarray(jax.jacfwd(of)(jnp.zeros(size)))
@@ -404,7 +360,7 @@ def _linear(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
         for a in np.asarray(x[k]).flat:
             elements.extend([Complex.of(a).real, Complex.of(a).imag] if parts[k] == 2 else [a])
     tape = _find_tape(*(x[k] for k in moving))
-    tape.rounded |= tape.kept is not None and equation.primitive.name in ("fft", "triangular_solve")
+    tape.rounded |= tape.kept is not None and entry.name in ("fft", "triangular_solve")
     values = np.empty(len(matrix), object)
     for row, (start, coefficients) in enumerate(zip(zero, matrix, strict=True)):
         where = np.flatnonzero(coefficients)
@@ -415,27 +371,18 @@ def _linear(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[A
 
 
 @_rule("scan")
-def _scan(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+def _scan(x: list[Array], entry: Entry) -> list[Array]:
     """Write out a loop whose number of rounds is known."""
-    rounds, (known, carried) = parameters["length"], split_scan(parameters)
-    if rounds > LIMITS.max_rounds:
-        raise Untraceable(f"a loop of {rounds} rounds")
-    closed = parameters["jaxpr"]
-    constants, now, streams = x[:known], x[known : known + carried], x[known + carried :]
-    outputs: list[list[Array]] = []
-    for k in reversed(range(rounds)) if parameters["reverse"] else range(rounds):
-        values = evaluate(closed, *constants, *now, *(s[k, ...] for s in streams))
-        now, rest = values[:carried], values[carried:]
-        outputs.append([np.asarray(a, object) for a in rest])
-    if parameters["reverse"]:
-        outputs.reverse()
-    return [*now, *(np.stack(each) for each in zip(*outputs, strict=True))]
+    loop: Any = entry.within
+    if len(loop.order) > LIMITS.max_rounds:
+        raise Untraceable(f"a loop of {len(loop.order)} rounds")
+    body = loop.body.only()
+    return loop.run(x, lambda values: _run(body, values), lambda shape, kind: np.empty(shape, object))
 
 
 @_rule("cond")
-def _branch(x: list[Array], parameters: dict[str, Any], equation: Any) -> list[Array]:
+def _branch(x: list[Array], entry: Entry) -> list[Array]:
     if x[0].dtype == object:
         raise Untraceable("a branch on something that moves (`cond`)")
-    branches = parameters["branches"]
-    chosen = branches[int(np.clip(int(x[0]), 0, len(branches) - 1))]
-    return evaluate(chosen, *x[1:])
+    branches: Any = entry.within
+    return _run(branches.each[branches.place(x[0])].only(), x[1:])

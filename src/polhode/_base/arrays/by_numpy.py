@@ -12,24 +12,23 @@ from typing import Any
 import numpy as np
 
 from polhode._base.arrays.gathering import gather, scatter, take_dynamic_slice, update_dynamic_slice
+from polhode._base.jaxprs import Entry
 from polhode.types import Array, Shaped
 
 
-def by_numbers(equation: Any, arguments: list[Array]) -> list[Shaped[Array, "..."]]:
+def by_numbers(entry: Entry, arguments: list[Array]) -> list[Shaped[Array, "..."]]:
     """Return the values of an operation of a jaxpr on arrays of numbers."""
-    name = equation.primitive.name
-    if name in BY_NUMPY:  # JAX would compile each operation by itself
+    if entry.name in BY_NUMPY:  # JAX would compile each operation by itself
         with np.errstate(all="ignore"):  # JAX says nothing of infinite numbers either
-            results = BY_NUMPY[name](arguments, equation.params)
+            results = BY_NUMPY[entry.name](arguments, entry.parameters)
         results = results if type(results) is list else [results]
-        return [np.asarray(x, v.aval.dtype) for x, v in zip(results, equation.outvars, strict=True)]
+        return [np.asarray(x, kind.dtype) for x, kind in zip(results, entry.made, strict=True)]
     import jax
     import jax.numpy as jnp
 
-    results = equation.primitive.bind(*[jnp.asarray(a) for a in arguments], **equation.params)
-    results = results if equation.primitive.multiple_results else [results]
     # NumPy cannot hold JAX's random keys
-    return [x if jnp.issubdtype(x.dtype, jax.dtypes.extended) else np.asarray(x) for x in results]
+    return [x if jnp.issubdtype(x.dtype, jax.dtypes.extended) else np.asarray(x)
+            for x in entry.bind(map(jnp.asarray, arguments))]
 
 
 def spread(x: Array, parameters: dict[str, Any]) -> Shaped[Array, "..."]:
@@ -76,7 +75,7 @@ def _pad(x: Array, value: Array, widths: Any) -> Array:
     """Return ``pad``: values added before, behind and between; a negative count cuts values off."""
     gained = [(max(int(low), 0), max(int(high), 0), int(between)) for low, high, between in widths]
     sizes = [n + max(n - 1, 0) * between + low + high for n, (low, high, between) in zip(x.shape, gained, strict=True)]
-    padded = np.full(sizes, value, x.dtype)
+    padded = np.full(sizes, value, np.result_type(x, value))
     inside = zip(sizes, gained, strict=True)
     padded[tuple(slice(low, size - high, between + 1) for size, (low, high, between) in inside)] = x
     lost = zip(sizes, widths, strict=True)
@@ -125,7 +124,32 @@ def _convert(x: Array, kind: Any) -> Array:
     return (x.real if real else x).astype(kind)
 
 
+MOVES: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
+    "stop_gradient": lambda x, p: x[0],
+    "copy": lambda x, p: x[0],
+    "rev": lambda x, p: np.flip(x[0], axis=tuple(p["dimensions"])),
+    "expand_dims": lambda x, p: np.expand_dims(x[0], tuple(p["dimensions"])),
+    "stack": lambda x, p: np.stack(x, axis=p["axis"]),
+    "reshape": lambda x, p: x[0].reshape(p["new_sizes"]),
+    "squeeze": lambda x, p: np.squeeze(x[0], axis=tuple(p["dimensions"])),
+    "transpose": lambda x, p: np.transpose(x[0], p["permutation"]),
+    "broadcast_in_dim": lambda x, p: spread(x[0], p),
+    "pad": lambda x, p: _pad(x[0], x[1], p["padding_config"]),
+    "tile": lambda x, p: np.tile(x[0], p["reps"]),
+    "slice": lambda x, p: take_slice(x[0], p),
+    "split": lambda x, p: np.split(x[0], np.cumsum(p["sizes"])[:-1], p["axis"]),
+    "unstack": lambda x, p: list(np.moveaxis(np.asarray(x[0]), p["axis"], 0)),
+    "concatenate": lambda x, p: np.concatenate(x, axis=p["dimension"]),
+    "select_n": lambda x, p: _select(x),
+    "gather": gather,
+    "scatter": scatter(lambda result, places, values: result.__setitem__(places, values)),
+    "dynamic_slice": take_dynamic_slice,
+    "dynamic_update_slice": update_dynamic_slice,
+}
+"""Operations that compute nothing: elements of arrays, which may be anything, come to other places."""
+
 BY_NUMPY: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
+    **MOVES,
     "add": lambda x, p: x[0] + x[1],
     "add_any": lambda x, p: x[0] + x[1],
     "sub": lambda x, p: x[0] - x[1],
@@ -184,34 +208,14 @@ BY_NUMPY: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
     "shift_left": lambda x, p: x[0] << x[1],
     "shift_right_arithmetic": lambda x, p: x[0] >> x[1],
     "bitcast_convert_type": lambda x, p: x[0].copy().view(p["new_dtype"]),
-    "stop_gradient": lambda x, p: x[0],
-    "copy": lambda x, p: x[0],
     "cumsum": lambda x, p: _from_end(np.cumsum, x[0], p),
     "clamp": lambda x, p: np.minimum(np.maximum(x[1], x[0]), x[2]),
     "rem": lambda x, p: np.fmod(x[0], x[1]),
     "sign": lambda x, p: np.where(x[0] == 0, x[0], np.sign(x[0])),
     "exp2": lambda x, p: np.exp2(x[0]),
     "xor": lambda x, p: x[0] ^ x[1],
-    "rev": lambda x, p: np.flip(x[0], axis=tuple(p["dimensions"])),
-    "expand_dims": lambda x, p: np.expand_dims(x[0], tuple(p["dimensions"])),
     "iota": lambda x, p: np.indices(p["shape"])[p["dimension"]],
-    "stack": lambda x, p: np.stack(x, axis=p["axis"]),
-    "reshape": lambda x, p: x[0].reshape(p["new_sizes"]),
-    "squeeze": lambda x, p: np.squeeze(x[0], axis=tuple(p["dimensions"])),
-    "transpose": lambda x, p: np.transpose(x[0], p["permutation"]),
-    "broadcast_in_dim": lambda x, p: spread(x[0], p),
-    "pad": lambda x, p: _pad(x[0], x[1], p["padding_config"]),
-    "tile": lambda x, p: np.tile(x[0], p["reps"]),
-    "slice": lambda x, p: take_slice(x[0], p),
-    "split": lambda x, p: np.split(x[0], np.cumsum(p["sizes"])[:-1], p["axis"]),
-    "unstack": lambda x, p: list(np.moveaxis(np.asarray(x[0]), p["axis"], 0)),
-    "concatenate": lambda x, p: np.concatenate(x, axis=p["dimension"]),
     "convert_element_type": lambda x, p: _convert(x[0], p["new_dtype"]),
-    "select_n": lambda x, p: _select(x),
-    "gather": gather,
-    "scatter": scatter(lambda result, places, values: result.__setitem__(places, values)),
     "scatter-add": scatter(np.add.at),
     "scatter_add": scatter(np.add.at),
-    "dynamic_slice": take_dynamic_slice,
-    "dynamic_update_slice": update_dynamic_slice,
 }

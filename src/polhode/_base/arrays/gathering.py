@@ -1,4 +1,4 @@
-"""JAX's ``gather`` and ``scatter`` as NumPy computes them: windows of an array at starts that other numbers give.
+"""JAX's ``gather`` and ``scatter`` as NumPy does them: windows of an array, of anything, at starts that numbers give.
 
 The operations are those of XLA, https://openxla.org/xla/operation_semantics#gather and #scatter: each start has a
 window, whose axes of length one may be left out; starts of which a window would not be inside are moved inside, or give
@@ -58,7 +58,7 @@ def scatter(put: Callable[[np.ndarray, Any, Any], None]) -> Callable[..., Shaped
         sizes = [1 if axis in single else next(lengths) for axis in range(array.ndim)]
         windows = _place(array.shape, starts, of.scatter_dims_to_operand_dims, sizes, of.inserted_window_dims, between)
         moved = np.transpose(updates, np.argsort(_axes_of(updates.ndim, of.update_window_dims)))
-        result = np.array(array)
+        result = np.array(array, np.result_type(array, updates))
         if parameters["mode"].name == "CLIP" or windows.inside.all():
             put(result, tuple(windows.places), moved)
         else:
@@ -76,7 +76,7 @@ def take_dynamic_slice(x: list[Array], parameters: dict[str, Any]) -> Shaped[Arr
 
 def update_dynamic_slice(x: list[Array], parameters: dict[str, Any]) -> Shaped[Array, "..."]:
     """Return ``dynamic_update_slice`` from an array, the values to write, and one start for each axis."""
-    result = np.array(x[0])
+    result = np.array(x[0], np.result_type(x[0], x[1]))
     result[_dynamic(result.shape, x[2:], x[1].shape)] = x[1]
     return result
 
@@ -125,7 +125,7 @@ def _choose_filling(value: Any, dtype: Any) -> Any:
     """Return the filling value: NaN, or for whole numbers the extreme one of their type."""
     if value is not None:
         return np.asarray(value, dtype)
-    if np.issubdtype(dtype, np.inexact):
+    if np.issubdtype(dtype, np.inexact) or np.issubdtype(dtype, np.object_):
         return np.asarray(np.nan, dtype)
     if np.issubdtype(dtype, np.bool_):
         return np.True_

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from polhode._base.arrays.by_numpy import BY_NUMPY, by_numbers
 from polhode._base.arrays.namespaces import is_traced
-from polhode._base.jaxprs import CALLED as INNER
-from polhode._base.jaxprs import split_scan
+from polhode._base.jaxprs import Branches, Entry, Listing, Scan, While
 from polhode.errors import InvalidInput
 
 INDICES = ("i", "u", "b")  # kinds of numbers that indices are made of
-Known = dict[Any, np.ndarray]
 
 
 class IndexLimits(NamedTuple):
@@ -28,11 +26,12 @@ class IndexLimits(NamedTuple):
 LIMITS = IndexLimits()
 
 
-class Beyond(NamedTuple):
+class Beyond(Exception):
     """An index outside its axis."""
 
-    element: int
-    size: int
+    def __init__(self, element: int, size: int) -> None:
+        super().__init__(element, size)
+        self.element, self.size = element, size
 
 
 def refuse_beyond(what: str, closed: Any) -> None:
@@ -45,167 +44,130 @@ def refuse_beyond(what: str, closed: Any) -> None:
     Raises:
         InvalidInput: naming the index and the size.
     """
-    for beyond in _find(closed.jaxpr, _numbers(zip(closed.jaxpr.constvars, closed.consts, strict=True))):
+    listing = Listing(closed)
+    try:
+        _follow(listing, [None] * len(listing.inputs), [LIMITS.max_rounds])
+    except Beyond as beyond:
         raise InvalidInput(
             f"{what} takes element {beyond.element} of an axis with {beyond.size}, which are {-beyond.size} to "
             f"{beyond.size - 1}: JAX would quietly take the nearest one, or none. Check the index, and the order of "
             "the components."
-        )
+        ) from None
 
 
-def _numbers(pairs: Any) -> Known:
-    """Return the values of variables that can be followed."""
-    return {variable: np.asarray(value) for variable, value in pairs
-            if value is not None and not is_traced(value) and _can_be_followed(variable.aval)}
-
-
-def _find(jaxpr: Any, known: Known, left: list[int] | None = None) -> Iterator[Beyond]:
-    """Yield indices beyond their axes; values that can be computed are added to ``known``.
+def _follow(listing: Listing, given: list[Any], left: list[int]) -> list[Any]:
+    """Return the outputs that can be computed, None in place of others.
 
     Args:
-        jaxpr: of a function or a part of one.
-        known: values of its variables.
+        listing: of a function or a part of one.
+        given: known values of its inputs, None in place of others.
         left: how many operations within loops may still be followed.
+
+    Raises:
+        Beyond: for an index beyond its axis.
     """
-    left = [LIMITS.max_rounds] if left is None else left
-    for equation in jaxpr.eqns:
-        values = [_value(x, known) for x in equation.invars]
-        if look := LOOKS.get(equation.primitive.name):
-            yield from look(equation, values)
-        if equation.primitive.name == "scan":
-            carried, beyond = _follow_scan(equation, values, left)
-            yield from beyond
-            known |= _numbers(zip(equation.outvars, carried, strict=False))
-        elif inner := _inner(equation, values):
-            for body, given in inner:
-                results, beyond = _within(body, given, left)
-                yield from beyond
-                if len(inner) == 1 and len(results) == len(equation.outvars):
-                    known |= _numbers(zip(equation.outvars, results, strict=True))
-        elif equation.primitive.name in BY_NUMPY and all(x is not None for x in values) and _can_follow(equation):
-            known |= _numbers(zip(equation.outvars, by_numbers(equation, values), strict=True))
+    return listing.run(given, lambda entry, values: _apply(entry, values, left), _read)
 
 
-def _within(body: Any, given: Sequence[Any], left: list[int]) -> tuple[list[Any], list[Beyond]]:
-    """Return the known values of the results of a closed jaxpr, and the indices beyond their axes in it."""
-    own = _numbers(zip(body.jaxpr.constvars, body.consts, strict=True))
-    own |= _numbers(zip(body.jaxpr.invars, given, strict=True))
-    beyond = list(_find(body.jaxpr, own, left))
-    return [_value(x, own) for x in body.jaxpr.outvars], beyond
+def _read(number: Any) -> Any:
+    """Return a number in a function, or an array that it encloses, if it can be followed."""
+    kind = getattr(getattr(number, "dtype", np.dtype(float)), "kind", "")  # literals may be plain numbers
+    is_single = np.ndim(number) == 0 and kind in (*INDICES, "f", "c")
+    return np.asarray(number) if (is_single or _can_be_followed(number)) and not is_traced(number) else None
 
 
-def _follow_scan(equation: Any, values: list[Any], left: list[int]) -> tuple[list[Any], list[Beyond]]:
-    """Return the known values of a loop's last carry, and the indices beyond their axes in any of its rounds.
+def _apply(entry: Entry, values: list[Any], left: list[int]) -> list[Any]:
+    if look := LOOKS.get(entry.name):
+        look(entry, values)
+    within, unknown = entry.within, [None] * len(entry.results)
+    if isinstance(within, Scan):
+        return _follow_scan(within, values, left) + unknown[within.carried :]
+    if isinstance(within, Branches):
+        results = [_follow(branch, values[1:], left) for branch in within.each]
+        return results[0] if len(results) == 1 else unknown
+    if isinstance(within, While):
+        of_condition, of_body, _ = within.split(values)
+        _follow(within.condition, [*of_condition, *unknown], left)
+        _follow(within.body, [*of_body, *unknown], left)
+    elif entry.name in BY_NUMPY and all(x is not None for x in values) and all(map(_can_be_followed, entry.made)):
+        return by_numbers(entry, values)
+    return unknown
+
+
+def _follow_scan(loop: Scan, values: list[Any], left: list[int]) -> list[Any]:
+    """Return the known values of a loop's last carry.
 
     Every round is followed where the loop carries known numbers; elsewhere all rounds are equal, and one is enough.
     """
-    parameters, body = equation.params, equation.params["jaxpr"]
-    fixed, carried = split_scan(parameters)
-    constants, carry, rows = values[:fixed], values[fixed : fixed + carried], values[fixed + carried :]
-    counts = any(x is not None for x in (*carry, *rows))
-    order = range(parameters["length"])[:: -1 if parameters["reverse"] else 1]
-    for k in order if counts else order[:1]:
-        left[0] -= len(body.jaxpr.eqns)
+    constants, carry, rows = loop.split(values)
+    counts, unknown = any(x is not None for x in (*carry, *rows)), [None] * loop.carried
+    for k in loop.order if counts else loop.order[:1]:
+        left[0] -= len(loop.body.entries)
         if left[0] < 0:
-            carry, rows = [None] * carried, [None] * len(rows)
-        now, beyond = _within(body, [*constants, *carry, *(None if row is None else row[k] for row in rows)], left)
-        carry = now[:carried]
-        if beyond or left[0] < 0:
-            return [None] * carried, beyond
-    return carry if counts else [None] * carried, []
+            carry, rows = unknown, [None] * len(rows)
+        now = _follow(loop.body, [*constants, *carry, *(None if row is None else row[k] for row in rows)], left)
+        carry = now[: loop.carried]
+        if left[0] < 0:
+            return unknown
+    return carry if counts else unknown
 
 
-def _value(variable: Any, known: Known) -> Any:
-    if hasattr(variable, "val"):  # a literal
-        return np.asarray(variable.val)
-    return known.get(variable)
+def _can_be_followed(kind: Any) -> bool:
+    """Return whether arrays of a shape and a type, or an array itself, are indices and not too many."""
+    return getattr(getattr(kind, "dtype", None), "kind", "") in INDICES and math.prod(kind.shape) <= LIMITS.max_entries
 
 
-def _can_follow(equation: Any) -> bool:
-    return all(_can_be_followed(x.aval) for x in equation.outvars)
-
-
-def _can_be_followed(aval: Any) -> bool:
-    kind = getattr(getattr(aval, "dtype", None), "kind", "")
-    return kind in INDICES and math.prod(aval.shape) <= LIMITS.max_entries
-
-
-def _inner(equation: Any, values: list[Any]) -> list[tuple[Any, list[Any]]]:
-    """Return the functions within an operation, each with the known values of its arguments."""
-    name, parameters = equation.primitive.name, equation.params
-    if name == "cond":
-        return [(body, values[1:]) for body in parameters["branches"]]
-    if name == "while":
-        test, step = parameters["cond_nconsts"], parameters["body_nconsts"]
-        bodies = (("cond_jaxpr", values[:test]), ("body_jaxpr", values[test : test + step]))
-        return [(parameters[key], [*fixed, *[None] * (len(parameters[key].jaxpr.invars) - len(fixed))])
-                for key, fixed in bodies]
-    for key in INNER:
-        body = parameters.get(key)
-        if body is not None:
-            body = body if hasattr(body, "jaxpr") else _closed(body)
-            same = len(body.jaxpr.invars) == len(values)
-            return [(body, values if same else [None] * len(body.jaxpr.invars))]
-    return []
-
-
-def _closed(jaxpr: Any) -> Any:
-    from polhode._base.jax_inner import ClosedJaxpr
-
-    return ClosedJaxpr(jaxpr, ())
-
-
-def _in_slices(equation: Any, values: list[Any]) -> Iterator[Beyond]:
+def _in_slices(entry: Entry, values: list[Any]) -> None:
     """Check ``dynamic_slice`` and ``dynamic_update_slice``, whose starts JAX moves into the range."""
-    updates = equation.primitive.name == "dynamic_update_slice"
+    updates = entry.name == "dynamic_update_slice"
     starts = values[2 if updates else 1 :]
-    whole = equation.invars[0].aval.shape
-    sizes = equation.invars[1].aval.shape if updates else equation.params["slice_sizes"]
+    whole = entry.given[0].shape
+    sizes = entry.given[1].shape if updates else entry.parameters["slice_sizes"]
     for start, count, size in zip(starts, sizes, whole, strict=True):
         if start is not None and count:
-            yield from _beyond(np.asarray(start), size - count, size)
+            _check(np.asarray(start), size - count, size)
 
 
-def _in_gather(equation: Any, values: list[Any]) -> Iterator[Beyond]:
+def _in_gather(entry: Entry, values: list[Any]) -> None:
     """Check ``gather``: a user may have asked for clipped indices, or for a filling number.
 
     ``vmap`` makes one that clips of a slice that JAX moves into the range; there no axis is dropped, as a user's has.
     """
-    mode, fill = _word(equation.params["mode"]), equation.params.get("fill_value")
-    dropped = equation.params["dimension_numbers"].collapsed_slice_dims
+    mode, fill = _word(entry.parameters["mode"]), entry.parameters.get("fill_value")
+    dropped = entry.parameters["dimension_numbers"].collapsed_slice_dims
     said = (mode == "CLIP" and len(dropped) > 0) or (mode == "FILL_OR_DROP" and fill is not None and not np.isnan(fill))
     if values[1] is None or said:
         return
-    map_, sizes = equation.params["dimension_numbers"].start_index_map, equation.params["slice_sizes"]
+    map_, sizes = entry.parameters["dimension_numbers"].start_index_map, entry.parameters["slice_sizes"]
     for k, axis in enumerate(map_):
-        size = equation.invars[0].aval.shape[axis]
+        size = entry.given[0].shape[axis]
         if sizes[axis]:
-            yield from _beyond(values[1][..., k], size - sizes[axis], size)
+            _check(values[1][..., k], size - sizes[axis], size)
 
 
-def _in_scatter(equation: Any, values: list[Any]) -> Iterator[Beyond]:
+def _in_scatter(entry: Entry, values: list[Any]) -> None:
     """Check ``scatter``, which drops indices beyond an axis: part of a table may be meant to be dropped, not all."""
-    if values[1] is None or _word(equation.params["mode"]) == "CLIP":
+    if values[1] is None or _word(entry.parameters["mode"]) == "CLIP":
         return
-    numbers = equation.params["dimension_numbers"]
+    numbers = entry.parameters["dimension_numbers"]
     for k, axis in enumerate(numbers.scatter_dims_to_operand_dims):
-        size, indices = equation.invars[0].aval.shape[axis], values[1][..., k]
+        size, indices = entry.given[0].shape[axis], values[1][..., k]
         if axis in numbers.inserted_window_dims and indices.size and ((indices < 0) | (indices >= size)).all():
-            yield from _beyond(indices, size - 1, size)
+            _check(indices, size - 1, size)
 
 
-def _beyond(starts: np.ndarray, last: int, size: int) -> Iterator[Beyond]:
+def _check(starts: np.ndarray, last: int, size: int) -> None:
     wrong = starts[(starts < 0) | (starts > last)]
     if wrong.size:
         index = int(wrong.flat[0])
-        yield Beyond(index - size if index < 0 else index, size)  # JAX has added the size to negative ones
+        raise Beyond(index - size if index < 0 else index, size)  # JAX has added the size to negative ones
 
 
 def _word(mode: Any) -> str:
     return getattr(mode, "name", str(mode)).rpartition(".")[-1]
 
 
-LOOKS: dict[str, Callable[[Any, list[Any]], Iterator[Beyond]]] = {
+LOOKS: dict[str, Callable[[Entry, list[Any]], None]] = {
     "dynamic_slice": _in_slices,
     "dynamic_update_slice": _in_slices,
     "gather": _in_gather,

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode._base.arrays.by_numpy import BY_NUMPY
-from polhode._base.jaxprs import Branches, Listing, NoRule, Operation, Scan, While
+from polhode._base.jaxprs import Branches, Entry, Listing, NoRule, Scan, While
 from polhode.types import Array, Shaped
 
 
@@ -56,8 +56,8 @@ class Steps:
             self._constants[place] = np.asarray(value)
         self._steps: list[Step] = []
         known = [value is not None for value in self._constants]
-        for operation in listing.only().operations:
-            step = _make_step(operation)
+        for entry in listing.only().entries:
+            step = _make_step(entry)
             if all(known[k] for k in step.operands):  # what depends on constants alone is computed once
                 with np.errstate(all="ignore"):
                     self._take(step, self._constants)
@@ -94,12 +94,12 @@ class Steps:
             values[place] = np.asarray(value, kind)
 
 
-def _make_step(operation: Operation) -> Step:
+def _make_step(entry: Entry) -> Step:
     """Return the step of an operation."""
-    make = LOOPS.get(type(operation.within))
-    compute = operation.rule(BY_NUMPY, "numbers") if make is None else make(operation.within)
-    types = tuple(kind.dtype for kind in operation.made)
-    return Step(compute, operation.parameters, operation.operands, operation.results, types)
+    make = LOOPS.get(type(entry.within))
+    compute = entry.rule(BY_NUMPY, "numbers") if make is None else make(entry.within)
+    types = tuple(kind.dtype for kind in entry.made)
+    return Step(compute, entry.parameters, entry.operands, entry.results, types)
 
 
 def _scan(loop: Scan) -> Callable[[list[Array], Any], list[Any]]:

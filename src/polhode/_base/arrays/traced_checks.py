@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 from polhode._base.arrays.indices import refuse_beyond
+from polhode._base.jaxprs import types_within
 from polhode.errors import InvalidInput
 
 FEW_DIGITS = frozenset({"float32", "float16", "bfloat16", "complex64"})
@@ -49,24 +50,10 @@ def refuse_single_precision_within(what: str, closed: Any) -> None:
     Raises:
         InvalidInput: naming the type.
     """
-    for jaxpr in _jaxprs(closed):
-        for equation in jaxpr.eqns:
-            for variable in (*equation.invars, *equation.outvars):
-                if (dtype := str(getattr(variable.aval, "dtype", ""))) in FEW_DIGITS:
-                    raise InvalidInput(
-                        f"{what} computes in single precision, as an array that it holds or makes is {dtype}. Make its "
-                        "arrays float64: JAX makes float32 ones until jax.config.update('jax_enable_x64', True), which "
-                        "importing the systems and algebras of polhode does."
-                    )
-
-
-def _jaxprs(value: Any) -> Iterator[Any]:
-    """Yield a function that JAX has traced, and those that its operations hold."""
-    if hasattr(value, "eqns"):  # closed ones have them too
-        yield value
-        for equation in value.eqns:
-            for parameter in equation.params.values():
-                yield from _jaxprs(parameter)
-    elif isinstance(value, list | tuple):
-        for part in value:
-            yield from _jaxprs(part)
+    for dtype in types_within(closed):
+        if dtype in FEW_DIGITS:
+            raise InvalidInput(
+                f"{what} computes in single precision, as an array that it holds or makes is {dtype}. Make its "
+                "arrays float64: JAX makes float32 ones until jax.config.update('jax_enable_x64', True), which "
+                "importing the systems and algebras of polhode does."
+            )
