@@ -205,6 +205,16 @@ def moved(y):
     return jnp.sum(turned, axis=0), put, jnp.cumsum(y)[1:4], jnp.pad(y[:2], (1, 2)), jnp.where(jnp.arange(6) > 2, y, -y)
 
 
+def put_elsewhere(y):
+    """Data moves, some of it beyond an end, where it is filled in or dropped."""
+    column, beyond = y[:, None], jnp.array([5, 6, 1])
+    filled = [y.at[beyond].get(mode="fill", wrap_negative_indices=False, fill_value=x) for x in (0.0, 2.5)]
+    parts = [*jnp.split(y, [1, 4])[::-1], jax.lax.pad(y, 0.5, ((-1, 2, 1),)), y.at[beyond].set(y[:3], mode="drop")]
+    windows = jax.vmap(lambda k: jax.lax.dynamic_slice(y, (k,), (2,)))(jnp.arange(4))
+    joined = jnp.stack(jnp.unstack(column * column.T)[::2]) @ jax.lax.dynamic_update_slice(y, y[:2] * 2.0, (3,))
+    return *filled, *parts, windows, joined, jnp.tile(y, 2), jnp.ones(6).at[2].set(y[0]), jnp.ones(0)
+
+
 def complex_parts(y):
     z = jax.lax.complex(y[:3], y[3:])
     matrix = jnp.outer(z, jnp.conj(z)) @ jnp.diag(jnp.array([1.0, 2.0j, 1.0 - 1.0j]))
@@ -214,11 +224,14 @@ def complex_parts(y):
 
 def loops(y):
     total, rest = jax.lax.scan(lambda c, x: (c * 0.5 + x * y[0], c + x), jnp.array(1.0), y)
-    return total, rest, jax.lax.fori_loop(0, 3, lambda k, c: c * y[1], y[2]), jnp.linalg.norm(y) ** 2
+    none, nothing = jax.lax.scan(lambda c, x: (c * x, c), y[0], y[:0])
+    last, back = jax.lax.scan(lambda c, x: (c * 0.5 + x, c * x), y[1], y, reverse=True)
+    thrice = jax.lax.fori_loop(0, 3, lambda k, c: c * y[1], y[2])
+    return total, rest, none, nothing, last, back, thrice, jnp.linalg.norm(y) ** 2
 
 
 @pytest.mark.long_cases("moved", "complex_parts")
-@pytest.mark.parametrize("function", [moved, complex_parts, loops])
+@pytest.mark.parametrize("function", [moved, put_elsewhere, complex_parts, loops])
 def test_tracing_gives_the_function(function):
     """Values of the tape at numbers, against JAX."""
     y = np.array([0.3, -1.2, 0.8, 2.0, -0.5, 1.1])

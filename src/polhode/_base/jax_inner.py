@@ -8,14 +8,10 @@ one of its arrays has come import this file where they need it.
 from jax.core import ShapedArray as ShapedArray
 from jax.core import Tracer as Tracer
 from jax.core import eval_jaxpr as eval_jaxpr  # type: ignore[attr-defined]
-from jax.extend.core import ClosedJaxpr as ClosedJaxpr
-from jax.extend.core import Jaxpr as Jaxpr
-from jax.extend.core import Literal as Literal
 from jax.extend.core import Primitive as Primitive
 from jax.interpreters import ad as ad
 from jax.interpreters import batching as batching
 from jax.interpreters import mlir as mlir
-from jax.interpreters import partial_eval as partial_eval
 
 try:
     from jax._src import compilation_cache as compilation_cache

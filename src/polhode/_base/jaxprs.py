@@ -5,7 +5,7 @@ with derivatives of their own, ``checkpoint``) is written out where it is called
 their own. An arithmetic is what is at the places: doubles, expressions, truth values that say what depends on what. It
 brings a table of rules by the names of the operations, and ``Listing.run`` takes it through them.
 
-Nothing here imports JAX.
+Importing this does not import JAX.
 """
 
 from __future__ import annotations
@@ -281,6 +281,16 @@ def split_scan(parameters: dict[str, Any]) -> tuple[int, int]:
         return parameters["num_consts"], parameters["num_carry"]
     constants, carried, _ = parameters["ft_in"].unpack()  # JAX 0.11 and later
     return len(constants), len(carried)
+
+
+def lift_enclosed(function: Callable[..., Any], *arguments: Any) -> tuple[list[Any], Callable[..., list[Any]]]:
+    """Return the arrays that a function encloses, and (these, *leaves of arguments) → leaves of its results."""
+    import jax
+
+    from polhode._base.jax_inner import eval_jaxpr
+
+    closed = jax.make_jaxpr(function)(*arguments)
+    return closed.consts, lambda enclosed, *leaves: eval_jaxpr(closed.jaxpr, enclosed, *leaves)
 
 
 def depends_on(closed: Any, argument: int) -> bool:

@@ -9,12 +9,12 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.jax_inner import Literal
+from polhode._base.jaxprs import depends_on
 from polhode.analysis._conserved import Energy, differentiate
 from polhode.errors import InvalidInput
 from polhode.systems._agreement import moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem
-from polhode.types import Array, Double, Float64
+from polhode.types import Float64
 
 
 class MotionLimits(NamedTuple):
@@ -49,7 +49,8 @@ def check_motion(system: AbstractLiePoissonSystem, samples: Callable[[], Float64
         return
     algebra, around = system.algebra, samples()
     points = algebra.from_dual_vector(jnp.asarray(around))
-    if depends_on_time(system, points[0]):
+    # read off the operations, which misses nothing as samples of times could
+    if depends_on(jax.make_jaxpr(system.generator)(jnp.zeros(()), points[0]), 0):
         raise InvalidInput(
             f"the `generator` of {kind.__name__} depends on time, and a verdict needs equations of motion without it. "
             "Leave the drive out, or put it in as a constant."
@@ -66,16 +67,3 @@ def check_motion(system: AbstractLiePoissonSystem, samples: Callable[[], Float64
             f"{kind.__name__} does not move by its energy alone: its `generator` differs from dH by {off:.2g}. "
             "Where energy is lost, let `conserves_energy` be False."
         )
-
-
-def depends_on_time(system: AbstractLiePoissonSystem, point: Double[Array, "..."]) -> bool:
-    """Whether the generator depends on the time, by JAX's trace: unlike samples of times, it misses nothing.
-
-    A product of the time with zero counts as well.
-    """
-    steps = jax.make_jaxpr(system.generator)(jnp.zeros(()), point).jaxpr
-    late = {steps.invars[0]}
-    for step in steps.eqns:
-        if any(not isinstance(x, Literal) and x in late for x in step.invars):
-            late.update(step.outvars)
-    return any(not isinstance(x, Literal) and x in late for x in steps.outvars)

@@ -21,7 +21,7 @@ import numpy as np
 
 from polhode._base.arrays import compiled_quickly
 from polhode._base.arrays.traced_checks import check_traced
-from polhode._base.jax_inner import partial_eval
+from polhode._base.jaxprs import depends_on
 from polhode.errors import InvalidInput, shown
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import FURTHER, rates_of_change
@@ -95,8 +95,7 @@ def _uses_time(system: AbstractSystem, shape: Any) -> bool:
     except Exception:
         return False  # the run refuses it in its own words
     check_traced(f"`vector_field` of {type(system).__name__}", traced)
-    _, used = partial_eval.dce_jaxpr(traced.jaxpr, [True] * len(traced.jaxpr.outvars))
-    return bool(used[0])
+    return depends_on(traced, 0)
 
 
 def find_undeclared_jumps(

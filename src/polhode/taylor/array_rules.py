@@ -17,10 +17,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.jax_inner import Literal
-from polhode._base.jaxprs import split_scan
+from polhode._base.jaxprs import Entry, Listing, Scan
 from polhode.taylor.expressions import Untraceable
-from polhode.taylor.jaxprs import INNER
 from polhode.taylor.kernel_series import MAX_ANGLE_CHANGE, MAX_EXPONENT_CHANGE
 from polhode.taylor.operations import Operation, squared_secant
 from polhode.taylor.recurrences import RECURRENCES, Word, Words
@@ -43,22 +41,21 @@ class Step(NamedTuple):
     """One operation.
 
     Attributes:
-        equation: of the jaxpr.
-        arguments, results: places of arrays; a rule may have more results than the equation, which it needs itself.
+        entry: of the listing.
+        results: places of arrays; a rule may have more results than the operation, which it needs itself.
         rule: returns the k-th coefficients of the results, given those of the arguments up to k, its own up to k − 1
             and k; None where nothing moves.
         moving: which of the arguments move.
     """
 
-    equation: Any
-    arguments: tuple[int, ...]
+    entry: Entry
     results: tuple[int, ...]
     rule: Callable[..., list[Array]] | None
     moving: tuple[int, ...]
 
 
 class Unrolled:
-    """The operations of a jaxpr one after the other, with the contents of inner functions written out.
+    """The operations of a jaxpr one after the other.
 
     Args:
         closed: the jaxpr.
@@ -69,52 +66,40 @@ class Unrolled:
     """
 
     def __init__(self, closed: Any, moves: list[bool]) -> None:
-        self.constants: dict[int, Any] = {}
+        listing = Listing(closed)
+        self.arguments, self.results = listing.inputs, listing.outputs
+        self.constants: dict[int, Any] = listing.literals | listing.constants
         self.steps: list[Step] = []
-        self._moves: list[bool] = []
-        self.arguments = [self._place(does) for does in moves]
-        self.results = self._inline(closed.jaxpr, closed.consts, self.arguments)
-        self.size = len(self._moves)
+        self._moves = [False] * listing.size
+        for place, does in zip(listing.inputs, moves, strict=True):
+            self._moves[place] = does
+        for entry in listing.entries:
+            self.steps.append(self._make_step(entry))
+
+    @property
+    def size(self) -> int:
+        """How many places there are."""
+        return len(self._moves)
 
     def is_moving(self, place: int) -> bool:
         """Return whether an array moves."""
         return self._moves[place]
 
-    def _place(self, moves: bool) -> int:
-        self._moves.append(moves)
-        return len(self._moves) - 1
-
-    def _add_constant(self, value: Any) -> int:
-        place = self._place(False)
-        self.constants[place] = value
-        return place
-
-    def _inline(self, jaxpr: Any, constants: Any, arguments: list[int]) -> list[int]:
-        at = dict(zip(jaxpr.invars, arguments, strict=True))
-        at.update(zip(jaxpr.constvars, map(self._add_constant, constants), strict=True))
-
-        def find_place(variable: Any) -> int:
-            return self._add_constant(variable.val) if isinstance(variable, Literal) else at[variable]
-
-        for equation in jaxpr.eqns:
-            places = [find_place(v) for v in equation.invars]
-            inner = next((equation.params[k] for k in INNER if k in equation.params), None)
-            if inner is not None and equation.primitive.name not in ("scan", "while", "cond"):
-                plain, consts = (inner.jaxpr, inner.consts) if hasattr(inner, "jaxpr") else (inner, [])
-                at.update(zip(equation.outvars, self._inline(plain, consts, places), strict=True))
-                continue
-            moving = tuple(k for k, place in enumerate(places) if self._moves[place])
-            rule = _find_rule(equation, moving, [self.constants.get(place) for place in places]) if moving else None
-            count = len(equation.outvars)
-            results = tuple(self._place(bool(moving)) for _ in range(count + getattr(rule, "more", 0)))
-            self.steps.append(Step(equation, tuple(places), results, rule, moving))
-            at.update(zip(equation.outvars, results[:count], strict=True))
-        return [find_place(v) for v in jaxpr.outvars]
+    def _make_step(self, entry: Entry) -> Step:
+        moving = tuple(k for k, place in enumerate(entry.operands) if self._moves[place])
+        if not moving:
+            return Step(entry, entry.results, None, ())
+        rule = _find_rule(entry, moving, [self.constants.get(place) for place in entry.operands])
+        for place in entry.results:
+            self._moves[place] = True
+        first, more = self.size, getattr(rule, "more", 0)
+        self._moves += [True] * more
+        return Step(entry, (*entry.results, *range(first, first + more)), rule, moving)
 
 
 def bound_of_argument(step: Step) -> float | None:
     """Return by how much the argument of a function may change in a step: any (None), or a part of itself (0)."""
-    name = step.equation.primitive.name
+    name = step.entry.name
     if step.rule is None or (name == "pow" and isinstance(step.rule, _WholePower)):
         return None
     bounds = {"exp": MAX_EXPONENT_CHANGE, "expm1": MAX_EXPONENT_CHANGE, "tanh": 0.5 * MAX_EXPONENT_CHANGE,
@@ -122,20 +107,17 @@ def bound_of_argument(step: Step) -> float | None:
     return bounds.get(name, 0.0 if name in ("log", "sqrt", "rsqrt", "cbrt", "pow") else None)
 
 
-def _find_rule(equation: Any, moving: tuple[int, ...], constants: list[Any]) -> Callable[..., list[Array]]:
-    name = equation.primitive.name
-    if _is_affine(equation, moving):
-        return Affine(equation, moving)
-    if name == "pow":
-        return _power(_read_exponent(constants[1]))(equation, moving)
-    if name in RULES:
-        return RULES[name](equation, moving)
-    raise Untraceable(f"`{name}` of something that moves")
+def _find_rule(entry: Entry, moving: tuple[int, ...], constants: list[Any]) -> Callable[..., list[Array]]:
+    if _is_affine(entry, moving):
+        return Affine(entry, moving)
+    if entry.name == "pow":
+        return _power(_read_exponent(constants[1]))(entry, moving)
+    return entry.rule(RULES, "something that moves", Untraceable)(entry, moving)
 
 
-def _is_affine(equation: Any, moving: tuple[int, ...]) -> bool:
+def _is_affine(entry: Entry, moving: tuple[int, ...]) -> bool:
     """Return whether an operation is affine in those of its arguments that move."""
-    name, parameters = equation.primitive.name, equation.params
+    name, loop = entry.name, entry.within
     if name not in AFFINE:
         return False
     if name in ("mul", "dot_general"):
@@ -148,48 +130,38 @@ def _is_affine(equation: Any, moving: tuple[int, ...]) -> bool:
         return 1 not in moving
     if name == "dynamic_update_slice":
         return all(k < 2 for k in moving)
-    if name == "scan":
-        body, (known, carried) = parameters["jaxpr"], split_scan(parameters)
+    if isinstance(loop, Scan):
         # a carried value moves if any part of it does, or if its operands do
-        return _all_affine(body.jaxpr, {*moving, *range(known, known + carried)})
+        carried = range(loop.constants, loop.constants + loop.carried)
+        return _all_affine(loop.body, {*moving, *carried})
     return True
 
 
-def _all_affine(jaxpr: Any, moving: set[int]) -> bool:
-    moves = {v for k, v in enumerate(jaxpr.invars) if k in moving}
-    for equation in jaxpr.eqns:
-        which = tuple(k for k, v in enumerate(equation.invars) if not isinstance(v, Literal) and v in moves)
-        if not which:
-            continue
-        moves.update(equation.outvars)
-        inner = next((equation.params[k] for k in INNER if k in equation.params), None)
-        if inner is not None and equation.primitive.name != "scan":
-            if equation.primitive.name in ("while", "cond") or not _all_affine(
-                    getattr(inner, "jaxpr", inner), set(which)):
-                return False
-        elif not _is_affine(equation, which):
-            return False
-    return True
+def _all_affine(listing: Listing, moving: set[int]) -> bool:
+    """Return whether all operations of a function are affine in those of its arguments that move."""
+    affine: list[bool] = []
 
+    def mark(entry: Entry, moves: list[bool]) -> list[bool]:
+        which = tuple(k for k, does in enumerate(moves) if does)
+        affine.append(not which or _is_affine(entry, which))
+        return [bool(which)] * len(entry.results)
 
-def bind(equation: Any, arguments: list[Any]) -> list[Shaped[Array, "..."]]:
-    """Return the result of an operation on values."""
-    results = equation.primitive.bind(*arguments, **equation.params)
-    return list(results) if equation.primitive.multiple_results else [results]
+    listing.run([k in moving for k in range(len(listing.inputs))], mark, lambda number: False)
+    return all(affine)
 
 
 class Affine:
     """An operation that is affine in the arguments that move: its linear part maps the coefficients of each order."""
 
-    def __init__(self, equation: Any, moving: tuple[int, ...]) -> None:
-        self.equation, self.moving = equation, moving
+    def __init__(self, entry: Entry, moving: tuple[int, ...]) -> None:
+        self.entry, self.moving = entry, moving
 
     def __call__(self, arguments: list[Any], own: list[Series], k: Any) -> list[Array]:
         def of(*values: Array) -> list[Array]:
             whole = [x[0] if j in self.moving else x for j, x in enumerate(arguments)]
             for j, value in zip(self.moving, values, strict=True):
                 whole[j] = value
-            return bind(self.equation, whole)
+            return self.entry.bind(whole)
 
         if is_first(k):
             results, self.linear = jax.linearize(of, *(arguments[j][0] for j in self.moving))
@@ -287,14 +259,14 @@ def _cauchy(left: Series, right: Series, k: Any, stop: Any) -> Array:
     return jnp.sum(a * b, axis=0)
 
 
-def _product(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
+def _product(entry: Entry, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
     """Products: the sum over all pairs of orders that add up to k, for matrices as one product of stacked blocks."""
 
     def rule(arguments: list[Series], own: list[Series], k: Any) -> list[Array]:
-        if equation.primitive.name != "dot_general":
+        if entry.name != "dot_general":
             return [_cauchy(arguments[0], arguments[-1], k, k + 1)]
         left, right = _factors(arguments[0], arguments[-1], k, k + 1)
-        (of_left, of_right), (batch_left, batch_right) = equation.params["dimension_numbers"]
+        (of_left, of_right), (batch_left, batch_right) = entry.parameters["dimension_numbers"]
         later = lambda axes: tuple(axis + 1 for axis in axes)  # noqa: E731
         numbers = (((0, *later(of_left)), (0, *later(of_right))), (later(batch_left), later(batch_right)))
         return [jax.lax.dot_general(left, right, numbers, preferred_element_type=left.dtype)]
@@ -302,7 +274,7 @@ def _product(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array
     return rule
 
 
-def _quotient(equation: Any, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
+def _quotient(entry: Entry, moving: tuple[int, ...]) -> Callable[..., list[Array]]:
     def rule(arguments: list[Any], own: list[Series], k: Any) -> list[Array]:
         above, below = arguments
         value = above[k] if 0 in moving else above
@@ -345,17 +317,17 @@ def _read_exponent(value: Any) -> float:
 
 
 class _Function:
-    """A function of ``recurrences``: the equation's result is the first in an order of its results, others follow."""
+    """A function of ``recurrences``: the operation's result is the first in an order of its results, others follow."""
 
-    def __init__(self, equation: Any, operation: Operation, number: float, order: Sequence[int]) -> None:
-        self.equation, self.recurrence, self.number, self.order = equation, RECURRENCES[operation], number, order
+    def __init__(self, entry: Entry, operation: Operation, number: float, order: Sequence[int]) -> None:
+        self.entry, self.recurrence, self.number, self.order = entry, RECURRENCES[operation], number, order
         self.more = len(order) - 1
 
     def __call__(self, arguments: list[Any], own: list[Series], k: Any) -> list[Array]:
         x, sums = arguments[0], _Sums(k, own[0])
         if is_first(k):
             values = self.recurrence.values(sums, x[0], self.number) if self.more else ()
-            return [*bind(self.equation, [x[0], *arguments[1:]]), *(values[place] for place in self.order[1:])]
+            return [*self.entry.bind([x[0], *arguments[1:]]), *(values[place] for place in self.order[1:])]
         argument, *series = (_Coefficients(sums, of) for of in (x, *(own[place] for place in self.order)))
         results = []
         for value in self.recurrence.coefficients(sums, k, argument, series, self.number):
@@ -367,7 +339,7 @@ class _Function:
 
 
 def _function(operation: Operation, number: float = 0.0, order: Sequence[int] = (0,)) -> Callable[..., _Function]:
-    return lambda equation, moving: _Function(equation, operation, number, order)
+    return lambda entry, moving: _Function(entry, operation, number, order)
 
 
 RULES: dict[str, Callable[..., Any]] = {
@@ -375,6 +347,6 @@ RULES: dict[str, Callable[..., Any]] = {
     "exp": _function(Operation.EXPONENTIAL), "expm1": _function(Operation.EXPONENTIAL_MINUS_ONE),
     "log": _function(Operation.LOGARITHM), "tanh": _function(Operation.TANH, order=(0, 1)),
     "sin": _function(Operation.SINE, order=(0, 1)), "cos": _function(Operation.SINE, order=(1, 0)),
-    "integer_pow": lambda equation, moving: _power(equation.params["y"])(equation, moving), "sqrt": _power(0.5),
+    "integer_pow": lambda entry, moving: _power(entry.parameters["y"])(entry, moving), "sqrt": _power(0.5),
     "rsqrt": _power(-0.5), "cbrt": _power(1.0 / 3.0),
 }  # fmt: skip

@@ -20,7 +20,7 @@ from polhode.motion._outcome import Status
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
-from polhode.taylor.array_rules import Affine, Unrolled, add_order, bind, bound_of_argument, is_first
+from polhode.taylor.array_rules import Affine, Unrolled, add_order, bound_of_argument, is_first
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.kernel_series import ROOT_SHARE_LEFT
 from polhode.taylor.runs import Precision, Runs
@@ -168,7 +168,7 @@ class _Recurrence:
         places = {self.clock, self.state}
         for step in self.unrolled.steps:
             if step.rule is not None and not isinstance(step.rule, Affine):
-                places.update(step.results, (step.arguments[k] for k in step.moving))
+                places.update(step.results, (step.entry.operands[k] for k in step.moving))
         return places
 
     def changes(self, order: int) -> Float64[Array, "functions orders"]:
@@ -180,7 +180,7 @@ class _Recurrence:
         for step in self.unrolled.steps:
             bound = bound_of_argument(step)
             if bound is not None:
-                series = self.series[step.arguments[0]]
+                series = self.series[step.entry.operands[0]]
                 sizes = jnp.abs(jnp.stack(series[:order]) if isinstance(series, list) else series[:order])
                 most = bound or (1.0 - ROOT_SHARE_LEFT) * sizes[0]
                 bounds.append(jnp.max((sizes / most).reshape(order, -1), axis=1).at[0].set(0.0))
@@ -190,13 +190,13 @@ class _Recurrence:
         """Compute the coefficients of an order, and those of the state of the next one."""
         series = self.series
         for step in self.unrolled.steps:
-            arguments = [series[place] for place in step.arguments]
+            arguments = [series[place] for place in step.entry.operands]
             if step.rule is not None:
                 own = [[] if series[place] is None else series[place] for place in step.results]
                 for place, value in zip(step.results, step.rule(arguments, own, k), strict=True):
                     series[place] = add_order(series[place], value, k)
             elif is_first(k):
-                for place, value in zip(step.results, bind(step.equation, arguments), strict=True):
+                for place, value in zip(step.results, step.entry.bind(arguments), strict=True):
                     series[place] = value
         rate = series[self.rates]
         if self.unrolled.is_moving(self.rates):

@@ -9,8 +9,7 @@ from typing import Any
 import jax
 import numpy as np
 
-from polhode._base.jax_inner import ClosedJaxpr, Jaxpr, Literal
-from polhode._base.jaxprs import CALLED as INNER
+from polhode._base.jaxprs import Entry, Listing, Scan, numbers_within
 
 
 def write_jaxpr(function: Callable[..., Any], *shapes: tuple[int, ...]) -> Any:
@@ -21,26 +20,10 @@ def write_jaxpr(function: Callable[..., Any], *shapes: tuple[int, ...]) -> Any:
 def numbers_in(closed: Any) -> list[float]:
     """Return the real numbers that a jaxpr contains, each once, but those by which doubles are multiplied exactly."""
     numbers: set[float] = set()
-
-    def look_at(value: Any) -> None:
+    for value in numbers_within(closed):
         if np.issubdtype(np.result_type(value), np.inexact):
             flat: Any = np.ravel(np.asarray(value))
             numbers.update(x for part in (flat.real, flat.imag) for x in part.tolist() if not is_power_of_two(x))
-
-    def look_into(jaxpr: Any) -> None:
-        for equation in jaxpr.eqns:
-            for variable in equation.invars:
-                if isinstance(variable, Literal):
-                    look_at(variable.val)
-            for inner in jax.tree.leaves(list(equation.params.values()), is_leaf=_is_jaxpr):
-                if _is_jaxpr(inner):
-                    for constant in getattr(inner, "consts", ()):
-                        look_at(constant)
-                    look_into(getattr(inner, "jaxpr", inner))
-
-    for constant in closed.consts:
-        look_at(constant)
-    look_into(closed.jaxpr)
     return sorted(numbers)
 
 
@@ -49,48 +32,30 @@ def is_power_of_two(x: float) -> bool:
     return abs(math.frexp(x)[0]) == 0.5 or x == 0.0 or not math.isfinite(x)
 
 
-def _is_jaxpr(x: Any) -> bool:
-    return isinstance(x, Jaxpr | ClosedJaxpr)
-
-
-def uses_first(closed: Any) -> bool:
-    """Return whether a jaxpr does anything with its first argument."""
-    first = closed.jaxpr.invars[0]
-    return any(v is first for equation in closed.jaxpr.eqns for v in equation.invars)
-
-
 def operations_on(closed: Any, moving: tuple[int, ...]) -> int:
     """Return about how many operations on single numbers a jaxpr makes of those arguments that move."""
-    return _operations(closed.jaxpr, [k in moving for k in range(len(closed.jaxpr.invars))])
+    listing = Listing(closed)
+    return _count(listing, [k in moving for k in range(len(listing.inputs))])
 
 
-def _operations(jaxpr: Any, moving: list[bool]) -> int:
-    moves, count = {v for v, does in zip(jaxpr.invars, moving, strict=True) if does}, 0
-    for equation in jaxpr.eqns:
-        which = [not isinstance(v, Literal) and v in moves for v in equation.invars]
-        if not any(which):
-            continue
-        moves.update(equation.outvars)
-        parameters = equation.params
-        inner = next((parameters[k] for k in INNER if k in parameters), None)
-        if inner is not None:
-            inner = getattr(inner, "jaxpr", inner)
-            passed = which if len(which) == len(inner.invars) else [True] * len(inner.invars)
-            count += _operations(inner, passed) * parameters.get("length", 1)
-            continue
-        each = 1
-        if equation.primitive.name == "dot_general":
-            shape = equation.invars[0].aval.shape
-            each = math.prod(shape[k] for k in parameters["dimension_numbers"][0][0])
-        count += each * sum(math.prod(v.aval.shape) for v in equation.outvars)
-    return count
+def _count(listing: Listing, moving: list[bool]) -> int:
+    counts: list[int] = []
+
+    def mark(entry: Entry, moves: list[bool]) -> list[bool]:
+        does = any(moves)
+        if does and isinstance(entry.within, Scan):
+            counts.append(len(entry.within.order) * _count(entry.within.body, moves))
+        elif does:
+            counts.append(_terms(entry) * sum(math.prod(kind.shape) for kind in entry.made))
+        return [does] * len(entry.results)
+
+    listing.run(moving, mark, lambda number: False)
+    return sum(counts)
 
 
-def select_needed(outputs: list[Any], equations: list[Any]) -> list[Any]:
-    """Return those equations, in order, without which the outputs cannot be computed."""
-    needed, kept = {v for v in outputs if not isinstance(v, Literal)}, []
-    for equation in reversed(equations):
-        if needed.intersection(equation.outvars):
-            needed.update(v for v in equation.invars if not isinstance(v, Literal))
-            kept.append(equation)
-    return kept[::-1]
+def _terms(entry: Entry) -> int:
+    """Return how many terms a number of the result of an operation has: a product of matrices has a row of them."""
+    if entry.name != "dot_general":
+        return 1
+    shape = entry.given[0].shape
+    return math.prod(shape[k] for k in entry.parameters["dimension_numbers"][0][0])

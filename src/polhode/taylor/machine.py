@@ -15,10 +15,11 @@ import numpy as np
 
 from polhode._base.arrays import in_jax_numpy
 from polhode._base.arrays.traced_checks import check_traced
+from polhode._base.jaxprs import depends_on
 from polhode.systems._forms import distances, rates_of_change
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
 from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
-from polhode.taylor.jaxprs import numbers_in, operations_on, uses_first, write_jaxpr
+from polhode.taylor.jaxprs import numbers_in, operations_on, write_jaxpr
 from polhode.taylor.operations import Operation
 from polhode.taylor.program import Program, make_program
 from polhode.taylor.sides import Branches, Sides, Signs
@@ -238,7 +239,7 @@ def _write_programs(structure: Structure, form: Form, through: Event | None) -> 
 
     closed = write_jaxpr(everything, (), (form.size,), (structure.size,))
     check_traced("a function of the system, or what is looked for along its motion,", closed)
-    return _Written(closed, tuple(balances), uses_first(closed), operations_on(closed, (0, 1)))
+    return _Written(closed, tuple(balances), depends_on(closed, 0), operations_on(closed, (0, 1)))
 
 
 def _make_machine(

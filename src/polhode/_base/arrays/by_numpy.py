@@ -124,6 +124,11 @@ def _convert(x: Array, kind: Any) -> Array:
     return (x.real if real else x).astype(kind)
 
 
+def _put(array: Array, places: tuple[Array, ...], values: Array) -> None:
+    """Write values; with the ellipsis an array of one object is its element, and does not become one."""
+    array[(*places, ...)] = values
+
+
 MOVES: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
     "stop_gradient": lambda x, p: x[0],
     "copy": lambda x, p: x[0],
@@ -142,7 +147,7 @@ MOVES: dict[str, Callable[[list[Array], dict[str, Any]], Any]] = {
     "concatenate": lambda x, p: np.concatenate(x, axis=p["dimension"]),
     "select_n": lambda x, p: _select(x),
     "gather": gather,
-    "scatter": scatter(lambda result, places, values: result.__setitem__(places, values)),
+    "scatter": scatter(_put),
     "dynamic_slice": take_dynamic_slice,
     "dynamic_update_slice": update_dynamic_slice,
 }

@@ -17,10 +17,11 @@ import jax
 import jax.flatten_util
 import numpy as np
 
+from polhode._base.jaxprs import depends_on
 from polhode.systems._forms import rates_of_change
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
-from polhode.taylor.jaxprs import numbers_in, uses_first, write_jaxpr
+from polhode.taylor.jaxprs import numbers_in, write_jaxpr
 from polhode.taylor.machine import TRACING, Form, tape_value
 from polhode.taylor.operations import ALONG, COMPANIONS, Node, Operation
 from polhode.taylor.program import find_needed
@@ -79,7 +80,7 @@ class BallSystem:
             return form.numbers(rates_of_change(system_of(p), t, form.state(numbers)))
 
         closed = write_jaxpr(everything, (), (form.size,), np.shape(parameters))
-        timed, count, kept = uses_first(closed), len(parameters), numbers_in(closed) if self.exact else []
+        timed, count, kept = depends_on(closed, 0), len(parameters), numbers_in(closed) if self.exact else []
         size, parameters = form.size + timed, np.append(parameters, kept)
         tape = Tape(size + len(parameters), form.size if timed else None)
         tape.values = {size + k: float(x) for k, x in enumerate(parameters)}
