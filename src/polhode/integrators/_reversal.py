@@ -24,7 +24,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.jax_inner import eval_jaxpr
+from polhode._base.jaxprs import lift_enclosed
 from polhode.integrators._either_mode import by_either_mode
 from polhode.types import Array, Bool, Double, Float64, Integer
 
@@ -94,12 +94,11 @@ def repeat_steps(step: Step, inputs: Given, parts: Sequence[Any], symmetric: boo
         symmetric: whether a step of length −h undoes one of length h.
         name: of the method.
     """
-    traced = jax.make_jaxpr(step)(inputs.start, inputs.h, inputs.state, inputs.lost, inputs.hint)
-    inputs = inputs._replace(held=[jnp.asarray(x) for x in traced.consts])
-    jaxpr, hints = traced.jaxpr, jax.tree.structure(inputs.hint)
+    held, lifted = lift_enclosed(step, inputs.start, inputs.h, inputs.state, inputs.lost, inputs.hint)
+    inputs, hints = inputs._replace(held=[jnp.asarray(x) for x in held]), jax.tree.structure(inputs.hint)
 
     def take_step(held: Any, t: Array, h: Array, state: Array, lost: Array, hint: Any) -> tuple[Any, ...]:
-        out = eval_jaxpr(jaxpr, held, t, h, state, lost, *jax.tree.leaves(hint))
+        out = lifted(held, t, h, state, lost, *jax.tree.leaves(hint))
         return *out[:4], jax.tree.map(jax.lax.stop_gradient, jax.tree.unflatten(hints, out[4:]))
 
     def forward(inputs: Given) -> Reached:
