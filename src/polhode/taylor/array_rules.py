@@ -17,6 +17,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays.by_numpy import MOVES
 from polhode._base.jaxprs import Entry, Listing, Scan
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.kernel_series import MAX_ANGLE_CHANGE, MAX_EXPONENT_CHANGE
@@ -24,13 +25,11 @@ from polhode.taylor.operations import Operation, squared_secant
 from polhode.taylor.recurrences import RECURRENCES, Word, Words
 from polhode.types import Array, Shaped
 
-AFFINE = frozenset((
+AFFINE = frozenset(MOVES) | {
     "add", "add_any", "sub", "neg", "mul", "div", "dot_general", "convert_element_type", "real", "imag", "complex",
-    "conj", "reshape", "transpose", "broadcast_in_dim", "slice", "squeeze", "expand_dims", "concatenate", "gather",
-    "scatter", "scatter-add", "scatter_add", "reduce_sum", "cumsum", "reduce_window_sum", "rev", "pad", "copy",
-    "copy_p", "stack", "unstack", "tile", "select_n", "dynamic_slice", "dynamic_update_slice", "fft",
-    "triangular_solve", "scan", "split",
-))  # fmt: skip
+    "conj", "scatter-add", "scatter_add", "reduce_sum", "cumsum", "reduce_window_sum", "copy_p", "fft",
+    "triangular_solve", "scan",
+}  # fmt: skip
 """Operations that are affine in the arguments that move, if ``_is_affine`` finds these in the right places."""
 FIRST_STILL = frozenset(("select_n", "triangular_solve"))  # whose first argument must not move
 REST_STILL = frozenset(("gather", "dynamic_slice", "div"))  # only whose first one may

@@ -17,7 +17,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.arrays.by_numpy import MOVES, by_numbers, factors
+from polhode._base.arrays.by_numpy import BY_NUMPY, MOVES, by_numbers, factors
 from polhode._base.jaxprs import Call, Entry, Listing
 from polhode.taylor.elementary import (
     cube_root,
@@ -47,12 +47,10 @@ class TracingLimits(NamedTuple):
 LIMITS = TracingLimits()
 
 _keeping: ContextVar[Tape | None] = ContextVar("keeping", default=None)
-EXACT = frozenset({  # operations that round no number
-    "abs", "broadcast_in_dim", "clamp", "complex", "concatenate", "conj", "convert_element_type", "copy", "copy_p",
-    "dynamic_slice", "dynamic_update_slice", "expand_dims", "gather", "imag", "iota", "max", "min", "neg", "pad",
-    "real", "reduce_max", "reduce_min", "reshape", "rev", "scatter", "select_n", "sign", "slice", "split", "squeeze",
-    "stack", "stop_gradient", "transpose", "unstack",
-})  # fmt: skip
+EXACT = frozenset(MOVES) | {  # operations that round no number
+    "abs", "clamp", "complex", "conj", "convert_element_type", "copy_p", "imag", "iota", "max", "min", "neg", "real",
+    "reduce_max", "reduce_min", "sign",
+}  # fmt: skip
 
 
 @contextlib.contextmanager
@@ -149,16 +147,23 @@ def _find_tape(*arrays: Array) -> Tape:
 
 # ---------------------------------------------------------------------- arithmetic
 
-RULES["add"] = RULES["add_any"] = lambda x, o: [np.asarray(x[0] + x[1], object)]
-RULES["sub"] = lambda x, o: [np.asarray(x[0] - x[1], object)]
-RULES["mul"] = lambda x, o: [np.asarray(x[0] * x[1], object)]
-RULES["div"] = lambda x, o: [np.asarray(x[0] / x[1], object)]
-RULES["neg"] = lambda x, o: [np.asarray(-x[0], object)]
-RULES["integer_pow"] = lambda x, o: [_each(lambda a: a ** o.parameters["y"], x[0])]
-RULES["square"] = lambda x, o: [np.asarray(x[0] * x[0], object)]
-RULES["sqrt"] = lambda x, o: [_each(lambda a: a**0.5, x[0])]
-RULES["rsqrt"] = lambda x, o: [_each(lambda a: a**-0.5, x[0])]
-RULES["cbrt"] = lambda x, o: [_each(cube_root, x[0])]
+
+def _of_elements(rule: Callable[[list[Array], dict[str, Any]], Any]) -> Rule:
+    """Return a rule of NumPy's for arrays of expressions, for which NumPy asks the expressions."""
+
+    def of_expressions(x: list[Array], entry: Entry) -> list[Any]:
+        results = rule(x, entry.parameters)
+        return results if isinstance(results, list) else [results]
+
+    return of_expressions
+
+
+RULES.update({name: _of_elements(BY_NUMPY[name]) for name in (*MOVES, "add", "add_any", "sub", "mul", "neg", "square")})
+RULES["div"] = lambda x, e: [x[0] / x[1]]
+RULES["integer_pow"] = lambda x, e: [_each(lambda a: a ** e.parameters["y"], x[0])]
+RULES["sqrt"] = lambda x, e: [_each(lambda a: a**0.5, x[0])]
+RULES["rsqrt"] = lambda x, e: [_each(lambda a: a**-0.5, x[0])]
+RULES["cbrt"] = lambda x, e: [_each(cube_root, x[0])]
 
 
 @_rule("pow")
@@ -205,7 +210,7 @@ RULES["cos"] = _elementary(lambda a: sine_and_cosine(a)[1])
 RULES["tan"] = _elementary(lambda a: sine_and_cosine(a)[0] / sine_and_cosine(a)[1])
 RULES["exp"] = _elementary(exponential)
 # of a mean anomaly, and what is a function of the place in an orbit goes on smoothly beyond a turn
-RULES["_whole_turns"] = lambda x, o: [np.zeros(x[0].shape)]
+RULES["_whole_turns"] = lambda x, e: [np.zeros(x[0].shape)]
 RULES["log"] = _elementary(logarithm)
 RULES["log1p"] = _elementary(logarithm_of_one_plus)
 RULES["expm1"] = _elementary(exponential_minus_one)
@@ -286,10 +291,10 @@ def _is_zero(x: Any) -> bool:
 
 # ---------------------------------------------------------------------- complex numbers
 
-RULES["complex"] = lambda x, o: [_pairs(Complex, *np.broadcast_arrays(*x))]
-RULES["real"] = lambda x, o: [_each(lambda a: Complex.of(a).real, x[0])]
-RULES["imag"] = lambda x, o: [_each(lambda a: Complex.of(a).imag, x[0])]
-RULES["conj"] = lambda x, o: [_each(lambda a: Complex.of(a).conjugate(), x[0])]
+RULES["complex"] = lambda x, e: [_pairs(Complex, *np.broadcast_arrays(*x))]
+RULES["real"] = lambda x, e: [_each(lambda a: Complex.of(a).real, x[0])]
+RULES["imag"] = lambda x, e: [_each(lambda a: Complex.of(a).imag, x[0])]
+RULES["conj"] = lambda x, e: [_each(lambda a: Complex.of(a).conjugate(), x[0])]
 
 
 def _pairs(make: Callable[[Any, Any], Any], a: Array, b: Array) -> Array:
@@ -301,19 +306,9 @@ def _pairs(make: Callable[[Any, Any], Any], a: Array, b: Array) -> Array:
 
 # ---------------------------------------------------------------------- data that moves
 
-
-def _moving(move: Callable[[list[Array], dict[str, Any]], Any]) -> Rule:
-    def rule(x: list[Array], entry: Entry) -> list[Any]:
-        moved = move(x, entry.parameters)
-        return moved if isinstance(moved, list) else [moved]
-
-    return rule
-
-
-RULES.update({name: _moving(move) for name, move in MOVES.items()})
 for _name in ("copy_p", "device_put", "reduce_precision"):
-    RULES[_name] = lambda x, o: [x[0]]
-RULES["optimization_barrier"] = lambda x, o: x
+    RULES[_name] = lambda x, e: [x[0]]
+RULES["optimization_barrier"] = lambda x, e: x
 
 
 @_rule("convert_element_type")
