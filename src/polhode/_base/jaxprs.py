@@ -1,11 +1,11 @@
-"""The walker of jaxprs, in which JAX writes down the operations of a function; no other file looks into them.
+"""Reads jaxprs, in which JAX writes down the operations of a function; no other file looks into them.
 
 A ``Listing`` has the operations one after the other, between numbered places. What a function calls (``jit``, functions
 with derivatives of their own, ``checkpoint``) is written out where it is called; loops and branches have listings of
-their own. An arithmetic is what is at the places: doubles, expressions, truth values that say what depends on what. It
-brings a table of rules by the names of the operations, and ``Listing.run`` takes it through them.
+their own. What is kept at the places makes an arithmetic: doubles, expressions, coefficients of arrays, truth values
+that say what depends on what. Each has a table of rules by the names of the operations.
 
-Importing this does not import JAX.
+Importing this file does not import JAX.
 """
 
 from __future__ import annotations
@@ -20,9 +20,12 @@ CALLS = frozenset((
     "jit", "pjit", "call", "core_call", "closed_call", "custom_jvp_call", "custom_vjp_call", "remat", "remat2",
     "checkpoint", "eval_jaxpr",
 ))  # fmt: skip
-"""Operations that call a function with their operands, by the names that releases of JAX give them."""
-LOOPS = frozenset(("scan", "while", "cond"))  # and branches, which have functions within
-CALLED = ("jaxpr", "call_jaxpr", "fun_jaxpr")  # what these name the function
+"""Operations that call a function with their operands, by the names that releases of JAX give them.
+
+Others hold functions too, and do something else with them: a reduction combines elements by one.
+"""
+CALLED = ("jaxpr", "call_jaxpr")  # parameters of these that may hold the function
+BRANCHING = frozenset(("scan", "while", "cond"))
 
 Rule = TypeVar("Rule")
 
@@ -245,7 +248,7 @@ class Listing:
             results = tuple([self._new() for _ in equation.outvars])
             places.update(zip(equation.outvars, results, strict=True))
             name = equation.primitive.name if called is None else equation.params["name"]
-            within = self._find_within(equation, called) if name in LOOPS or called is not None else None
+            within = self._find_within(equation, called) if name in BRANCHING or called is not None else None
             self.entries.append(Entry(name, equation.params, operands, results, within, equation))
         return [find(v) for v in jaxpr.outvars]
 
