@@ -18,7 +18,7 @@ import numpy as np
 
 from polhode._base import check
 from polhode._base.extras import needing
-from polhode._base.rational._sparse import REMEDY, SparseRow, choose_independent, null_space, whole_multiple
+from polhode._base.rational._sparse import REMEDY, choose_independent, null_space, rows_of, whole_multiple
 from polhode._base.rational._terms import exponents_of, multiply_together
 from polhode._base.rational.numbers import EXACT, as_fraction, read_number
 from polhode.algebra._polynomial import Polynomial
@@ -84,10 +84,14 @@ def invariant_polynomials(brackets: RationalBrackets, degree: int) -> list[Any]:
     Raises:
         InvalidInput: for a problem too large, or a missing python-flint.
     """
-    generators = _generators(brackets)
+    with needing("Exact Casimirs and integrals need"):
+        from polhode._base.rational._polynomials import poisson_tensor
+
+        tensor = poisson_tensor(brackets, 1)
+    moves = [tensor[g] for g in _generators(brackets)]
     independent: list[Any] = []
     for d in range(1, degree + 1):
-        invariants = _invariants(brackets, generators, d)
+        invariants = _invariants(moves, d)
         if invariants:
             products = [p for p in multiply_together(independent, d) if sum(p.monoms()[0]) == d]
             independent += choose_independent(invariants, products)
@@ -182,29 +186,14 @@ def _generators(brackets: RationalBrackets) -> list[int]:
     return chosen
 
 
-def _invariants(brackets: RationalBrackets, generators: list[int], degree: int) -> list[Any]:
-    """Return a basis of the polynomials of one degree that commute with the generators."""
-    with needing("Exact Casimirs and integrals need"):
-        from flint import fmpq
+def _invariants(moves: list[Any], degree: int) -> list[Any]:
+    """Return a basis of the polynomials of one degree that commute with the generators, whose fields are given."""
+    from polhode._base.rational._polynomials import context, rate
 
-        from polhode._base.rational._polynomials import context
-    dim = len(brackets)
-    monomials = [exponents_of(m, dim) for m in combinations_with_replacement(range(dim), degree)]
-    place = {m: n for n, m in enumerate(monomials)}
-    moves = {g: [[(k, fmpq(c.numerator, c.denominator)) for k, c in vector.items()] for vector in brackets[g]]
-             for g in generators}
-    # {x_g, Π x_i^{e_i}} = Σ_j e_j x^{e − 1_j} Σ_k c_gj^k x_k, by Leibniz
-    rows: dict[tuple[int, int], SparseRow] = defaultdict(lambda: defaultdict(int))
-    for column, monomial in enumerate(monomials):
-        for j in np.flatnonzero(monomial).tolist():
-            lowered = list(monomial)
-            lowered[j] -= 1
-            for g, move in moves.items():
-                for k, value in move[j]:
-                    raised = list(lowered)
-                    raised[k] += 1
-                    rows[g, place[tuple(raised)]][column] += monomial[j] * value
-    distinct = {tuple(sorted((c, v) for c, v in row.items() if v)) for row in rows.values()} - {()}
+    dim = len(moves[0])
+    space, indices = context(dim), combinations_with_replacement(range(dim), degree)
+    monomials = [space.from_dict({exponents_of(m, dim): 1}) for m in indices]
+    distinct = {tuple(row.items()) for move in moves for row in rows_of([rate(m, move) for m in monomials])}
     matrix = [dict(row) for row in sorted(distinct, key=len)]
-    space = context(dim)
-    return [space.from_dict({monomials[c]: v for c, v in vector.items()}) for vector in null_space(matrix, len(place))]
+    return [sum((c * monomials[k] for k, c in vector.items()), space.constant(0))
+            for vector in null_space(matrix, len(monomials))]  # fmt: skip

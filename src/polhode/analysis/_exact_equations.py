@@ -14,7 +14,7 @@ import equinox as eqx
 import jax.numpy as jnp
 from flint import fmpq, fmpq_mpoly
 
-from polhode._base.rational._polynomials import context, magnitude, rate, variables
+from polhode._base.rational._polynomials import context, magnitude, poisson_field, poisson_tensor, rate, variables
 from polhode._base.rational.numbers import EXACT, as_fmpq, check_reading, read_number
 from polhode.algebra._functions import Function
 from polhode.algebra.casimirs import polynomial_casimirs, rational_brackets
@@ -23,7 +23,6 @@ from polhode.analysis._conserved import Energy, Source, choose_casimirs
 from polhode.certificates._equations import (
     ENERGY,
     Equations,
-    poisson_field,
     quadratic_integrals,
     rational_equilibrium,
     restrict_to_zeros,
@@ -129,8 +128,8 @@ def make_equations(judgement: Stability, subject: Subject, read_as: str = EXACT)
     hint = _weights_by_name(judgement)
     if system.conserves_energy:
         (energy,) = _trace("the energy", Energy(system), n, read)
-        brackets = rational_brackets(system.algebra, read_as)
-        exact = poisson_field(brackets, system.sign, energy)
+        tensor = poisson_tensor(rational_brackets(system.algebra, read_as), system.sign)
+        exact = poisson_field(tensor, energy)
         _compare_fields(vector_field, exact)
         vector_field = exact
         conserved |= _trace_integrals(subject, read)
@@ -140,7 +139,7 @@ def make_equations(judgement: Stability, subject: Subject, read_as: str = EXACT)
                     f"an exact proof up to flows is for one polynomial integral; got {flow_name}. "
                     "Give one whose flow alone is divided out."
                 )
-            flow = _scale_to_turns(poisson_field(brackets, system.sign, conserved[flow_name]), flow_name)
+            flow = _scale_to_turns(poisson_field(tensor, conserved[flow_name]), flow_name)
         conserved[ENERGY] = energy
     conserved = {k: c for k, c in conserved.items() if not rate(c, vector_field)}
     vanishing = _parallel(vector_field, flow) if flow else vector_field
@@ -233,9 +232,8 @@ def _compare_fields(one: tuple[fmpq_mpoly, ...], other: tuple[fmpq_mpoly, ...]) 
 
 def _zeros_of_leaf(equations: Equations, subject: Subject) -> list[int]:
     """Return the coordinates that are zero at the point and along the leaf's tangent space."""
-    brackets, n = rational_brackets(subject.system.algebra, equations.read_as), equations.size
-    moves = [poisson_field(brackets, 1, x) for x in variables(n)]
-    return [k for k in range(n) if not equations.point[k] and not any(f[k](*equations.point) for f in moves)]
+    tensor, point = poisson_tensor(rational_brackets(subject.system.algebra, equations.read_as), 1), equations.point
+    return [k for k, row in enumerate(tensor) if not point[k] and not any(f(*point) for f in row)]
 
 
 def _scale_to_turns(flow: tuple[fmpq_mpoly, ...], name: str) -> tuple[fmpq_mpoly, ...]:

@@ -14,7 +14,7 @@ import numpy as np
 from flint import fmpq, fmpq_mat, fmpq_mpoly
 
 from polhode._base.rational._matrices import as_floats, matrix, null_space, signature
-from polhode._base.rational._polynomials import gradient, half_hessian, rate
+from polhode._base.rational._polynomials import Tensor, gradient, half_hessian, poisson_field, poisson_tensor, rate
 from polhode._base.rational.numbers import as_fmpq, nearest_double
 from polhode.algebra.casimirs import rational_brackets
 from polhode.analysis._conserved import LIMITS as CONSERVATION_LIMITS
@@ -27,14 +27,12 @@ from polhode.analysis._conserved import (
     Source,
     choose_unit,
 )
-from polhode.certificates._equations import poisson_field
 from polhode.certificates._exact_tracing import trace_polynomials
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.taylor.expressions import Untraceable
 from polhode.types import Array, Float64
 
-Brackets = list[list[dict[int, Fraction]]]
 Named = dict[str, fmpq_mpoly]
 
 
@@ -52,8 +50,7 @@ class ExactFunctions(NamedTuple):
     """Polynomials of a system; all by the names that they have in a verdict.
 
     Attributes:
-        brackets: [e_i, e_j] as {k: c_ijk}.
-        sign: of the system's bracket.
+        tensor: π (n, n), {x_i, x_j} with the system's sign.
         energy: H.
         casimirs: named by the algebra, from exact algebra, or given.
         known: what the system names conserved, whether it is or not.
@@ -61,8 +58,7 @@ class ExactFunctions(NamedTuple):
         field: (n,) that of H.
     """
 
-    brackets: Brackets
-    sign: int
+    tensor: Tensor
     energy: fmpq_mpoly
     casimirs: Named
     known: Named
@@ -82,24 +78,21 @@ class ExactFunctions(NamedTuple):
 
     def flow(self, function: fmpq_mpoly) -> tuple[fmpq_mpoly, ...]:
         """Return the Hamiltonian field (n,) of a function."""
-        return poisson_field(self.brackets, self.sign, function)
+        return poisson_field(self.tensor, function)
 
     def commute(self, one: fmpq_mpoly, other: fmpq_mpoly) -> bool:
         """Whether the bracket of two functions vanishes."""
         return not rate(one, self.flow(other))
 
-    def tensor(self, point: Sequence[fmpq]) -> fmpq_mat:
+    def tensor_at(self, point: Sequence[fmpq]) -> fmpq_mat:
         """Return π (n, n) at a point, as the field of x_j is its j-th column."""
-        n = len(point)
-        return fmpq_mat(n, n, [sum(as_fmpq(self.sign * c) * point[k] for k, c in vector.items())
-                               for row in self.brackets for vector in row])  # fmt: skip
+        return matrix([[f(*point) for f in row] for row in self.tensor], len(point))
 
     @property
     def is_compact(self) -> bool:
         """Whether the Killing form is negative on a complement of the centre, by exact signs."""
-        n = len(self.brackets)
-        moves = [fmpq_mat(n, n, [as_fmpq(vector.get(k, 0)) for vector in row for k in range(n)])
-                 for row in self.brackets]  # [e_i, e_j] is the j-th row of the i-th
+        n = len(self.tensor)
+        moves = [matrix([gradient(f, [fmpq(0)] * n) for f in row], n) for row in self.tensor]  # ad of x_i, up to a sign
         traces = [sum((a * b)[k, k] for k in range(n)) for a in moves for b in moves]
         positive, zero, _ = signature(fmpq_mat(n, n, traces))
         centre = null_space(fmpq_mat([a.entries() for a in moves]).transpose())
@@ -110,7 +103,7 @@ class ExactFunctions(NamedTuple):
         n = len(point)
         rng = np.random.default_rng(0)
         around = [[fmpq(int(x)) for x in rng.integers(-999, 999, n)] for _ in range(2)]
-        return self.tensor(point).rank() == max(self.tensor(x).rank() for x in around)
+        return self.tensor_at(point).rank() == max(self.tensor_at(x).rank() for x in around)
 
 
 def exact_functions(
@@ -128,7 +121,7 @@ def exact_functions(
     if n > LIMITS.max_coordinates or choose_unit(z) != 1.0:
         return None
     try:
-        brackets = rational_brackets(system.algebra)
+        tensor = poisson_tensor(rational_brackets(system.algebra), system.sign)
         (energy,) = _trace(Energy(system), n)
         own = _trace(casimirs.source, n) if casimirs.names else []
         known = _trace(Known(system), n) if Known(system).names else []
@@ -136,9 +129,9 @@ def exact_functions(
     except (Untraceable, InvalidInput):
         return None
     return ExactFunctions(
-        brackets, system.sign, energy, dict(zip(casimirs.names, own, strict=True)),
+        tensor, energy, dict(zip(casimirs.names, own, strict=True)),
         dict(zip(Known(system).names, known, strict=True)), {f"J{k + 1}": p for k, p in enumerate(given)},
-        poisson_field(brackets, system.sign, energy),
+        poisson_field(tensor, energy),
     )
 
 

@@ -114,17 +114,17 @@ class _Leaf:
     @cached_property
     def tensor(self) -> fmpq_mat:
         """π at the point."""
-        return self.exact.tensor(self.point)
+        return self.exact.tensor_at(self.point)
 
     @cached_property
     def second(self) -> fmpq_mat | None:
         """½ D²F along the basis, with H in F and no freedom used; None where dH is no combination of other slopes."""
         slopes = matrix([self.equations.slopes[k] for k in self.names], self.equations.size)
-        *_, weights = null_space(slopes.transpose()).tolist() or [[0]]
-        if not weights[-1] or not self.basis:
+        weights = null_space(slopes.transpose()).tolist()
+        if not weights or not weights[-1][-1] or not self.basis:
             return None
         halves = [half_hessian(self.equations.conserved[k], self.point) for k in self.names]
-        return restrict(combine(weights, halves), self.basis)
+        return restrict(combine(weights[-1], halves), self.basis)
 
     @cached_property
     def drifts(self) -> bool:

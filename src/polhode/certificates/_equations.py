@@ -184,16 +184,6 @@ def as_terms(p: fmpq_mpoly) -> list[list[Any]]:
     return [[str(c), list(m)] for m, c in terms_of(p)]
 
 
-def poisson_field(
-    brackets: Sequence[Sequence[Mapping[int, Fraction]]], sign: int, function: fmpq_mpoly
-) -> tuple[fmpq_mpoly, ...]:
-    """Return sign · {x_i, F} (n,) of structure constants [e_i, e_j] as {k: c}."""
-    x = function.context().gens()
-    slopes = [function.derivative(j) for j in range(len(x))]
-    return tuple(total(len(x), (slopes[j] * x[k] * as_fmpq(sign * c) for j, vector in enumerate(row)
-                                for k, c in vector.items())) for row in brackets)  # fmt: skip
-
-
 def rational_equilibrium(
     vanishing: Sequence[fmpq_mpoly],
     conserved: Mapping[str, fmpq_mpoly],

@@ -6,15 +6,21 @@ Their context orders terms by degree, the highest first, and within one by expon
 from __future__ import annotations
 
 import copyreg
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+from functools import cache
 
 from flint import Ordering, fmpq, fmpq_mat, fmpq_mpoly, fmpq_mpoly_ctx
 
+from polhode._base.rational._sparse import dense, rows_of
 from polhode._base.rational._terms import Exponents
+from polhode._base.rational.numbers import as_fmpq
 
 Field = Sequence[fmpq_mpoly]
+Tensor = Sequence[Field]
 
 
+@cache
 def context(size: int) -> fmpq_mpoly_ctx:
     """Return where polynomials in x_1, …, x_n live."""
     return fmpq_mpoly_ctx.get([f"x{k + 1}" for k in range(size)], Ordering.deglex)
@@ -48,7 +54,7 @@ def magnitude(p: fmpq_mpoly) -> fmpq:
 
 def rate(p: fmpq_mpoly, field: Field) -> fmpq_mpoly:
     """Return the rate of change along a field, Σ f_k ∂p/∂x_k."""
-    return total(len(field), (f * p.derivative(k) for k, f in enumerate(field)))
+    return total(len(field), (f * slope for k, f in enumerate(field) if f and (slope := p.derivative(k))))
 
 
 def shift(p: fmpq_mpoly, point: Sequence[fmpq]) -> fmpq_mpoly:
@@ -81,12 +87,19 @@ def quadratic_form(matrix: Sequence[Sequence[fmpq]]) -> fmpq_mpoly:
 
 def coefficients_of(polynomials: Sequence[fmpq_mpoly]) -> fmpq_mat:
     """Return the matrix whose columns are the coefficients of polynomials, by any monomial that one of them has."""
-    place = {m: i for i, m in enumerate({m for p in polynomials for m in p.monoms()})}
-    a = fmpq_mat(len(place), len(polynomials))
-    for j, p in enumerate(polynomials):
-        for m, c in p.terms():
-            a[place[m], j] = c
-    return a
+    return dense(rows_of(polynomials), range(len(polynomials)))
+
+
+def poisson_tensor(constants: Sequence[Sequence[Mapping[int, Fraction]]], sign: int) -> Tensor:
+    """Return {x_i, x_j} = sign · Σ_k c_ijk x_k (n, n) of structure constants [e_i, e_j] as {k: c_ijk}."""
+    x = variables(len(constants))
+    return [[total(len(x), (as_fmpq(sign * c) * x[k] for k, c in vector.items())) for vector in row]
+            for row in constants]
+
+
+def poisson_field(tensor: Tensor, function: fmpq_mpoly) -> tuple[fmpq_mpoly, ...]:
+    """Return {x_i, F} (n,)."""
+    return tuple(rate(function, row) for row in tensor)
 
 
 def _rebuild(size: int, terms: dict[Exponents, fmpq]) -> fmpq_mpoly:

@@ -47,20 +47,25 @@ def _reduce_rows(rows: list[SparseRow], columns: int) -> list[tuple[int, SparseR
     """Return pivots and rows of the reduced echelon form, which is found block by block."""
     if not rows:
         return []
-    from flint import fmpq_mat
-
     pairs: list[tuple[int, SparseRow]] = []
     for block, unknowns in _blocks(rows, columns):
-        matrix = fmpq_mat(len(block), len(unknowns))
-        place = {c: n for n, c in enumerate(unknowns)}
-        for i, row in enumerate(block):
-            for c, value in row.items():
-                matrix[i, place[c]] = value
-        echelon, rank = matrix.rref()
+        echelon, rank = dense(block, unknowns).rref()
         for i in range(rank):
             row = {c: v for n, c in enumerate(unknowns) if (v := echelon[i, n])}
             pairs.append((min(row), row))
     return sorted(pairs)
+
+
+def dense(rows: Sequence[SparseRow], columns: Sequence[int]) -> Any:
+    """Return a matrix of python-flint, with the columns that are listed."""
+    from flint import fmpq_mat
+
+    matrix = fmpq_mat(len(rows), len(columns))
+    place = {c: n for n, c in enumerate(columns)}
+    for i, row in enumerate(rows):
+        for c, value in row.items():
+            matrix[i, place[c]] = value
+    return matrix
 
 
 def _blocks(rows: list[SparseRow], columns: int) -> list[tuple[list[SparseRow], list[int]]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from flint import ctx, fmpq, fmpq_poly
+from flint import acb, ctx, fmpq, fmpq_poly
 
 from polhode._base.rational._matrices import count_roots_beyond
 
@@ -26,7 +26,7 @@ def has_root_to_the_right(p: fmpq_poly) -> bool:
     start = next(k for k, c in enumerate(coefficients) if c)
     squares = squarefree(fmpq_poly(coefficients[start::2]))
     # the balls of real roots have no imaginary part, and none contains another root, or zero
-    on_axis = sum(root.imag == 0 and root.real < 0 for root, _ in squares.complex_roots())
+    on_axis = sum(root.imag == 0 and root.real < 0 for root in _roots(squares))
     return on_axis < squares.degree() or count_roots_beyond(p // shared, fmpq(0)) != 0
 
 
@@ -38,7 +38,12 @@ def largest_real_part(p: fmpq_poly) -> float:
     simple = squarefree(p)
     while True:  # until balls of roots on the axis, or near it, are smaller than the largest real part
         with ctx.workprec(bits):
-            largest = max((root.real for root, _ in simple.complex_roots()), key=lambda x: x.upper())
+            largest = max((root.real for root in _roots(simple)), key=lambda x: x.upper())
         if largest.rel_accuracy_bits() >= enough:
             return float(largest.mid())
         bits *= 2
+
+
+def _roots(p: fmpq_poly) -> list[acb]:
+    """Return balls that contain one root each."""
+    return [root for root, _ in p.complex_roots()]  # type: ignore[attr-defined]  # it gives pairs, and its stub a ball

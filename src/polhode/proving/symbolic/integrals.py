@@ -12,12 +12,11 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from polhode._base.rational._polynomials import context, rate
+from polhode._base.rational._polynomials import context, poisson_field, poisson_tensor, rate
 from polhode._base.rational._sparse import SparseRow, choose_independent, null_space, rows_of, whole_multiple
 from polhode._base.rational._terms import exponents_of, multiply_together
 from polhode._base.rational.numbers import EXACT
 from polhode.algebra.casimirs import check_degree
-from polhode.certificates._equations import poisson_field
 from polhode.errors import InvalidInput
 from polhode.proving.symbolic._gate import sympy
 from polhode.proving.symbolic._polynomials import symbolic_terms, to_expression, to_rational
@@ -114,7 +113,7 @@ class _OverNumbers:
         return to_rational(expression, self.bracket.coordinates)
 
     def flow(self, H: Polynomial) -> Sequence[Polynomial]:
-        return poisson_field(self.bracket.rational_brackets(), self.bracket.sign, H)
+        return poisson_field(poisson_tensor(self.bracket.rational_brackets(), self.bracket.sign), H)
 
     def choose_new(self, invariants: list[Polynomial], products: list[Polynomial]) -> list[Polynomial]:
         """Return those invariants that are needed in addition to the products to span all."""
