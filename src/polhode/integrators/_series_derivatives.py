@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -16,7 +17,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.arrays.elementwise import Elementwise, Ways
+from polhode._base.arrays.elementwise import Elementwise
 from polhode.integrators._series_adjoint import Returning, weights_back
 from polhode.motion._outcome import Status
 from polhode.systems._forms import rates_of_change
@@ -160,9 +161,10 @@ class Motion:
         """Return the JAX operation for the moving numbers at the times, whether the run failed, and its steps."""
         outputs = ((self.count * self.rows,), float), ((), np.int64), ((), np.int64)
         inputs = tuple((size,) for size in self.inputs)
-        derivatives = (self.jacobian, Ways(self.ahead, self.weights_of)) if self.has_derivatives else (None, None)
-        return Elementwise("solve by Taylor", self.values, inputs, outputs, derivatives[0], 0, ways=derivatives[1],
-                           on_host=True)
+        plain = Elementwise("solve by Taylor", self.values, inputs, outputs, positive=0, on_host=True)
+        if not self.has_derivatives:
+            return plain
+        return replace(plain, jacobian=self.jacobian, forward=self.ahead, back=self.weights_of)
 
     def values(self, *arguments: Array) -> tuple[Any, ...]:
         """Return the values of the operation."""
