@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import abc
 import math
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import equinox as eqx
@@ -18,7 +18,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.arrays import custom_derivative, is_traced
+from polhode._base.arrays import is_traced
+from polhode._base.arrays.operation import Operation, along
 from polhode.errors import InvalidInput
 from polhode.motion._layout import StatePart
 from polhode.types import Array, ArrayLike, Double, Float64
@@ -257,12 +258,8 @@ class AbstractLieAlgebra(HashableModule):
             return jnp.where(is_significant(term, total), jnp.nan, total)
 
         # reverse mode needs a known number of terms, of which most vanish
-        def rule(primals: Any, tangents: Any) -> tuple[Array, Array]:
-            counted = lambda numbers, x, mu: sum_series(numbers, x, mu, True)  # noqa: E731
-            return moved(*primals), jax.jvp(counted, primals, tangents)[1]  # pyright: ignore[reportCallIssue]
-
-        moved = custom_derivative(lambda numbers, x, mu: sum_series(numbers, x, mu, False), rule)
-        return moved(numbers, jnp.asarray(x), jnp.asarray(mu))
+        sums, counted = (partial(sum_series, known_count=known) for known in (False, True))
+        return Operation("exp_change", sums, along(counted))(numbers, jnp.asarray(x), jnp.asarray(mu))
 
     def cayley_change(self, x: Double[Array, "..."], mu: Double[Array, "..."]) -> Double[Array, "..."]:
         """Return Ad*_{cay x} μ − μ."""

@@ -119,7 +119,7 @@ def carlson_rj(
         return _third_kind(x, y, z, p)
     columns = xp.stack(xp.broadcast_arrays(x, y, z, p), axis=-1)
     # its loop ends where it has converged, and reverse mode would need the number of its steps beforehand
-    return forward_columns(lambda v: (_third_kind(*(v[..., k] for k in range(4))),), "carlson_rj")(columns)[0]
+    return forward_columns(lambda v: _third_kind(*(v[..., k] for k in range(4))), "carlson_rj")(columns)
 
 
 def _third_kind(x: Array, y: Array, z: Array, p: Array) -> Array:

@@ -5,9 +5,7 @@ It is the only folder of the closed-form rooms that may import JAX, and does so 
 
 from polhode._base.arrays.derivatives import (
     COMPLEX_STEP,
-    custom_derivative,
     derivative_columns,
-    first_order_only,
     forward_columns,
     stop_gradient,
 )
@@ -43,9 +41,7 @@ __all__ = [
     "compiled",
     "compiled_for_few_calls",
     "compiled_quickly",
-    "custom_derivative",
     "derivative_columns",
-    "first_order_only",
     "forward_columns",
     "in_jax_numpy",
     "is_foreign",

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from polhode._base.arrays.namespaces import is_jax
-from polhode.errors import InvalidInput
 
 COMPLEX_STEP = 1e-150  # its square is negligible beside one
 
@@ -22,56 +21,28 @@ def stop_gradient(value: Any) -> Any:
     return jax.lax.stop_gradient(value)
 
 
-def custom_derivative(function: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
-    """Return the function for JAX arrays with its derivative given by a rule (primals, tangents) → (value, change)."""
-    import jax
+def forward_columns(function: Callable[[Any], Any], name: str) -> Callable[[Any], Any]:
+    """Return a function of JAX arrays (…, n) → (…) whose gradient is taken forward, a component at a time.
 
-    wrapped = jax.custom_jvp(function)
-    wrapped.defjvp(rule)
-    return wrapped
-
-
-def forward_columns(function: Callable[..., tuple[Any, ...]], name: str) -> Callable[..., tuple[Any, ...]]:
-    """Return a function of JAX arrays (…, n) → tuple of (…) whose Jacobian is taken forward, a column at a time.
-
-    Either mode then only multiplies by this Jacobian, so that reverse mode passes through loops of unknown length. A
-    second derivative is refused, with the name.
+    Either mode then only multiplies by it, so that reverse mode passes through loops of unknown length. A second
+    derivative is refused, with the name.
     """
     import jax
     import jax.numpy as jnp
 
-    def rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[Any, Any]:
-        value, primals = function(*primals), first_order_only(primals, name)
-        sizes = [x.shape[-1] for x in primals]
-        starts = [sum(sizes[:k]) for k in range(len(sizes))]
+    from polhode._base.arrays.operation import Operation, Point, first_order_only
 
-        def column(unit: Any) -> tuple[Any, ...]:
-            parts = (unit[k : k + n] for k, n in zip(starts, sizes, strict=True))
-            tangents = tuple(jnp.broadcast_to(part, x.shape) for part, x in zip(parts, primals, strict=True))
-            return jax.jvp(function, primals, tangents)[1]
-
-        # J e_k for each unit vector e_k
-        columns = jax.vmap(column)(jnp.eye(sum(sizes)))
+    def forward(at: Point, value: Any, changes: list[Any]) -> Any:
+        (x,) = first_order_only(at.arguments, name)
+        # ∂f/∂x_k for each unit vector e_k
+        column = lambda unit: jax.jvp(function, (x,), (jnp.broadcast_to(unit, x.shape),))[1]  # noqa: E731
+        columns = jax.vmap(column)(jnp.eye(x.shape[-1]))
         # df = Σ_k (∂f/∂x_k) dx_k
-        changes = [jnp.sum(jnp.moveaxis(c, 0, -1) * jnp.concatenate(tangents, axis=-1), axis=-1) for c in columns]
+        change = jnp.sum(jnp.moveaxis(columns, 0, -1) * changes[0], axis=-1)
         # where there is no value there is no derivative
-        return value, tuple(jnp.where(jnp.isfinite(v), c, jnp.nan) for v, c in zip(value, changes, strict=True))
+        return jnp.where(jnp.isfinite(value), change, jnp.nan)
 
-    return custom_derivative(function, rule)
-
-
-def first_order_only(values: Any, name: str) -> Any:
-    """Return the values unchanged, but refuse to differentiate them: a second derivative would be wrong."""
-    leaf = values
-    while isinstance(leaf, tuple):
-        leaf = leaf[0]
-    if not is_jax(leaf):
-        return values
-
-    def refuse(primals: Any, tangents: Any) -> Any:
-        raise InvalidInput(f"`{name}` has first derivatives only; take second ones by differences of the first.")
-
-    return custom_derivative(lambda x: x, refuse)(values)
+    return Operation(name, function, forward)
 
 
 def derivative_columns(

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from polhode._base.arrays.derivatives import custom_derivative
 from polhode._base.arrays.namespaces import is_foreign, is_jax, is_traced, namespace
 
 
@@ -21,11 +20,15 @@ def barrier(values: Any) -> Any:
     if not is_traced(*_leaves(values)):
         return values
     import jax
+    import jax.numpy as jnp
+
+    from polhode._base.arrays.operation import Operation
 
     def finished(whole: Any) -> Any:
         return jax.lax.platform_dependent(whole, cpu=_loop_once, default=jax.lax.optimization_barrier)
 
-    return custom_derivative(finished, lambda primals, changes: (finished(*primals), changes[0]))(values)
+    arrays = jax.tree.map(jnp.asarray, values)
+    return Operation("barrier", finished, lambda at, results, changes: at.spread(changes))(arrays)
 
 
 def _leaves(values: Any) -> Iterator[Any]:
