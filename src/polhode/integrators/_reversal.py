@@ -24,8 +24,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base.arrays.operation import Operation, Point, along
 from polhode._base.jaxprs import lift_enclosed
-from polhode.integrators._either_mode import by_either_mode
 from polhode.types import Array, Bool, Double, Float64, Integer
 
 
@@ -114,10 +114,10 @@ def repeat_steps(step: Step, inputs: Given, parts: Sequence[Any], symmetric: boo
         first = Reached(jnp.zeros((), int), inputs.state, inputs.lost, inputs.iterations, inputs.fine, hint)
         return jax.lax.while_loop(unfinished, once, first)
 
-    def back(whole: Callable[[Any], Given], moved: Any, reached: Reached, weights: Any) -> Any:
-        return _Way(take_step, whole, moved, parts).back(reached, weights, LIMITS.max_steps if symmetric else 1)
+    def back(at: Point, reached: Reached, weights: list[Array]) -> list[Array]:
+        return _Way(take_step, at, parts).back(reached, weights, LIMITS.max_steps if symmetric else 1)
 
-    return by_either_mode(forward, back, inputs, name, twice=True)
+    return Operation(name, forward, along(forward), back, second="forward")(inputs)
 
 
 class _Back(NamedTuple):
@@ -140,11 +140,15 @@ class _Saved(NamedTuple):
 class _Way:
     """The way back over equal steps."""
 
-    def __init__(self, stepped: Any, whole: Callable[[Any], Given], moved: Any, parts: Sequence[Any]) -> None:
-        self.stepped, self.whole, self.moved, self.parts = stepped, whole, moved, parts
-        self.given = whole(moved)
+    def __init__(self, stepped: Any, at: Point, parts: Sequence[Any]) -> None:
+        self.stepped, self.at, self.moved, self.parts = stepped, at, at.moving, parts
+        self.given = self.whole(self.moved)
         # on the way back no step has the hints of those before it
         self.no_hint = jax.tree.map(jnp.zeros_like, self.given.hint)
+
+    def whole(self, moved: list[Array]) -> Given:
+        """Return the arguments of the run with arrays in the places of those that move."""
+        return self.at.replace(moved)[0]
 
     def one(self, moved: Any, k: Array, state: Array, lost: Array) -> Pair:
         """Return the state after the k-th step as a function of the moving arrays and the state before."""

@@ -6,14 +6,15 @@ States are divided by their scales, and what balances receive by its own, so tha
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
 
+from polhode._base.arrays.operation import Operation, along, transposed
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators import _embedded as embedded
-from polhode.integrators._either_mode import by_either_mode, by_transposing
 from polhode.motion._outcome import Status
 from polhode.systems._forms import distances, rates_of_change
 from polhode.systems.base import AbstractSystem
@@ -211,14 +212,12 @@ def sample_by_either_mode(
 ) -> Sampled:
     """Return what ``sample_motion`` does, with derivatives of either mode."""
 
-    def forward(arguments: tuple[Any, ...]) -> Sampled:
-        return sample_motion(*arguments[:-1], observe=arguments[-1])
+    def sample(reverse: bool, *arguments: Any) -> Sampled:
+        return sample_motion(*arguments[:-1], observe=arguments[-1], reverse=reverse)
 
-    def reverse(arguments: tuple[Any, ...]) -> Sampled:
-        return sample_motion(*arguments[:-1], observe=arguments[-1], reverse=True)
-
-    operands = (system, solver, state, times, kept, largest, tolerance, observe)
-    return by_either_mode(forward, by_transposing(reverse), operands, "solve by adaptive steps")
+    forward, back = (partial(sample, reverse) for reverse in (False, True))
+    operation = Operation("solve by adaptive steps", forward, along(forward), transposed(back))
+    return operation(system, solver, state, times, kept, largest, tolerance, observe)
 
 
 def as_floats(observed: Any) -> Any:
