@@ -10,12 +10,13 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
-from jax.custom_derivatives import SymbolicZero
 
 from polhode._base.arrays import is_traced
 from polhode._base.arrays.namespaces import ENCLOSED
+from polhode._base.arrays.operation import Operation, Point
 from polhode.errors import InvalidInput
 from polhode.systems.base import AbstractSystem
+from polhode.types import Array
 
 Parameters = ParamSpec("Parameters")
 Result = TypeVar("Result")
@@ -68,23 +69,11 @@ def _find_enclosed(system: AbstractSystem, solution: Any) -> list[Any]:
 def _guard(solution: Result, enclosed: list[Any], name: str) -> Result:
     """Return the solution, whose derivatives by the enclosed numbers raise."""
     arrays, rest = eqx.partition(solution, eqx.is_inexact_array)
+    count = len(jax.tree.leaves(arrays))
 
-    @jax.custom_jvp
-    def guarded(arrays: Any, enclosed: Any) -> Any:
-        return arrays
-
-    def rule(primals: Any, tangents: Any) -> tuple[Any, Any]:
-        if not all(isinstance(x, SymbolicZero) for x in jax.tree.leaves(tangents[1], is_leaf=_is_zero)):
+    def forward(at: Point, results: Any, changes: list[Array]) -> list[Array]:
+        if any(k >= count for k in at.which):
             raise InvalidInput(f"the functions of {name} {ENCLOSED}")
-        return primals[0], jax.tree.map(_as_array, tangents[0], is_leaf=_is_zero)
+        return at.spread(changes)[:count]
 
-    guarded.defjvp(rule, symbolic_zeros=True)
-    return eqx.combine(guarded(arrays, enclosed), rest)
-
-
-def _is_zero(tangent: Any) -> bool:
-    return isinstance(tangent, SymbolicZero)
-
-
-def _as_array(tangent: Any) -> Any:
-    return jnp.zeros(tangent.shape, tangent.dtype) if _is_zero(tangent) else tangent
+    return eqx.combine(Operation(name, lambda arrays, enclosed: arrays, forward)(arrays, enclosed), rest)
