@@ -206,11 +206,11 @@ def test_arguments_are_nests_of_which_only_moving_arrays_are_asked_for():
     def scale(system, x):
         return {"value": system["factor"] * x ** system["power"], "count": jnp.asarray(x.size)}
 
-    def forward(at, results, changes):
+    def back(at, results, weights):
         asked.append(at.which)
-        return along(scale)(at, results, changes)
+        return transposed(scale)(at, results, weights)
 
-    operation = Operation("scale", scale, forward, transposed(scale))
+    operation = Operation("scale", scale, along(scale), back)
     system, x = {"factor": jnp.asarray(3.0), "power": 2, "note": "squares"}, jnp.array([1.0, 2.0])
     slopes = jax.jit(jax.grad(lambda x: jnp.sum(operation(system, x)["value"])))(x)
     assert slopes.tolist() == [6.0, 12.0] and set(asked) == {(1,)}

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -74,6 +74,9 @@ Back = Callable[[Point, Any, list[Array]], Sequence[Array]]
 """Of a point, results and weights w of those that are floating-point arrays: the weights Jᵀw of the moving arrays, of
 their shapes."""
 
+_Kind = tuple[tuple[int, ...], Any]
+"""Shape and type of an array."""
+
 
 @dataclass(frozen=True)
 class Operation:
@@ -136,15 +139,17 @@ class Operation:
             outputs, shape = jax.tree.flatten(results)
             changes: list[Any] = [SymbolicZero(jax.typeof(x).to_tangent_aval()) for x in outputs]
             if which:
-                moved = iter(self._change(Point(primals, which, fill), kept, [tangents[k] for k in which]))
+                smooth = tuple(map(_kind, filter(_is_smooth, outputs)))
+                at, ways = Point(primals, which, fill), [tangents[k] for k in which]
+                moved = iter(self._change(at, kept, ways, smooth))
                 changes = [next(moved) if _is_smooth(x) else none for x, none in zip(outputs, changes, strict=True)]
             return results, jax.tree.unflatten(shape, changes)
 
         value.defjvp(rule, symbolic_zeros=True)
         return value(*(leaves[k] for k in places))
 
-    def _change(self, at: Point, kept: Any, changes: list[Array]) -> list[Array]:
-        """Return the changes of the results, as one linear map if it has a transpose of its own."""
+    def _change(self, at: Point, kept: Any, changes: list[Array], kinds: tuple[_Kind, ...]) -> list[Array]:
+        """Return the changes, of these kinds, of the results; by one linear map if it has a transpose of its own."""
         forward, back = self.forward, self.back
         assert forward is not None, "a derivative that there is not has been refused"
         if back is None:
@@ -156,10 +161,11 @@ class Operation:
             there = Point(both[:arrays], at.which, at.fill)
             return there, jax.tree.unflatten(shape, both[arrays:count]), list(both[count:])
 
-        return _linear.bind(
-            *at.arrays, *leaves, *changes, count=count, forward=lambda *both: _smooth(forward(*split(both))),
-            back=lambda *both: list(back(*split(both))), name=self.name, second=self.second, at_once=self.at_once,
+        derivative = _LinearMap(
+            lambda *both: _smooth(forward(*split(both))), lambda *both: list(back(*split(both))), count,
+            (kinds, tuple(map(_kind, changes))), self.name, self.second, self.at_once,
         )  # fmt: skip
+        return derivative(*at.arrays, *leaves, *changes)
 
 
 def along(function: Callable[..., Any]) -> Forward:
@@ -190,6 +196,10 @@ def _refuse(name: str, order: int) -> None:
     raise InvalidInput(f"`{name}` has {REFUSALS[order]}")
 
 
+def _kind(x: Any) -> _Kind:
+    return x.shape, x.dtype
+
+
 def _is_smooth(x: Any) -> bool:
     return jnp.issubdtype(jnp.result_type(x), jnp.inexact)
 
@@ -200,53 +210,77 @@ def _smooth(results: Any) -> list[Array]:
 
 
 # ---------------------------------------------------------------------- derivatives as linear maps
-#
-# One primitive is linear in ``ways``, the operands behind the first ``count``: it applies ``forward``, which takes
-# all operands, and its transpose applies ``back``, of which ``forward`` is the transpose in turn.
 
 
-def _jvp(primals: Any, tangents: Any, *, count: int, forward: Any, name: str, second: str, **more: Any) -> Any:
+class _LinearMap(NamedTuple):
+    """A map that is linear in the operands behind the first ones, which say where.
+
+    Attributes:
+        forward: all operands → results.
+        back: its transpose: the first operands, and weights of the results → those of the others; None refuses it.
+        count: of the first operands.
+        kinds: of the results of ``forward`` and ``back``, so that neither is traced to ask for them.
+        name, second, at_once: of the operation.
+    """
+
+    forward: Callable[..., list[Array]]
+    back: Callable[..., list[Array]] | None
+    count: int
+    kinds: tuple[tuple[_Kind, ...], tuple[_Kind, ...]]
+    name: str
+    second: str
+    at_once: bool
+
+    def __call__(self, *operands: Any) -> list[Array]:
+        return _linear.bind(*operands, linear=self)
+
+
+def _jvp(primals: Any, tangents: Any, *, linear: _LinearMap) -> tuple[list[Array], list[Array]]:
+    count, name = linear.count, linear.name
     known, ways = primals[:count], primals[count:]
     changes = [ad.instantiate_zeros(tangent) for tangent in tangents[count:]]
-    rules = {"count": count, "forward": forward, "name": name, "second": second, **more}
-    results, moved = _linear.bind(*known, *ways, **rules), _linear.bind(*known, *changes, **rules)
+    results, moved = linear(*known, *ways), linear(*known, *changes)
     moving = [k for k, tangent in enumerate(tangents[:count]) if not isinstance(tangent, ad.Zero)]
     if not moving:
         return results, moved
-    if second == "none":
+    if linear.second == "none":
         _refuse(name, 2)
 
     def of_known(*values: Array) -> list[Array]:
         at = list(known)
         for k, x in zip(moving, values, strict=True):
             at[k] = x
-        return forward(*at, *ways)
+        return linear.forward(*at, *ways)
 
     _, slopes = jax.jvp(of_known, [known[k] for k in moving], [tangents[k] for k in moving])
-    if second == "forward":
-        same, refuse = lambda *x: list(x), lambda *x: _refuse_back(f"the derivative of {name}")
-        slopes = _linear.bind(*slopes, **{**rules, "count": 0, "forward": same, "back": refuse, "at_once": True})
+    if linear.second == "forward":
+        slopes = _forward_only(slopes, f"the derivative of {name}")
     return results, [a + b for a, b in zip(moved, slopes, strict=True)]
 
 
-def _refuse_back(name: str) -> None:
-    raise InvalidInput(
-        f"`{name}` loops as often as its numbers ask, and has forward derivatives only; got a reverse-mode one "
-        "(jax.grad, jax.vjp, jax.jacrev). Take jax.jvp or jax.jacfwd."
-    )
+def _forward_only(values: list[Array], name: str) -> list[Array]:
+    """Return values unchanged, of which reverse-mode derivatives are refused, with the name."""
+    kinds = tuple(map(_kind, values))
+    return _LinearMap(lambda *x: list(x), None, 0, (kinds, kinds), name, "forward", True)(*values)
 
 
-def _transpose(weights: Any, *args: Any, count: int, forward: Any, back: Any, **more: Any) -> list[Any]:
-    weights = [ad.instantiate_zeros(weight) for weight in weights]
-    cotangents = _linear.bind(*args[:count], *weights, count=count, forward=back, back=forward, **more)
-    own = [x if ad.is_undefined_primal(way) else None for x, way in zip(cotangents, args[count:], strict=True)]
-    return [None] * count + own
+def _transpose(weights: Any, *args: Any, linear: _LinearMap) -> list[Any]:
+    if linear.back is None:
+        raise InvalidInput(
+            f"`{linear.name}` loops as often as its numbers ask, and has forward derivatives only; got a reverse-mode "
+            "one (jax.grad, jax.vjp, jax.jacrev). Take jax.jvp or jax.jacfwd."
+        )
+    back = linear._replace(forward=linear.back, back=linear.forward, kinds=linear.kinds[::-1])
+    cotangents = back(*args[: linear.count], *(ad.instantiate_zeros(weight) for weight in weights))
+    own = [x if ad.is_undefined_primal(way) else None for x, way in zip(cotangents, args[linear.count :], strict=True)]
+    return [None] * linear.count + own
 
 
-def _batch(args: Any, axes: Any, *, count: int, forward: Any, back: Any, **more: Any) -> Any:
+def _batch(args: Any, axes: Any, *, linear: _LinearMap) -> tuple[list[Array], list[int]]:
+    count = linear.count
     size = next(x.shape[axis] for x, axis in zip(args, axes, strict=True) if axis is not None)
 
-    def each(function: Any) -> Any:
+    def each(function: Callable[..., list[Array]]) -> Callable[..., list[Array]]:
         def batch(*both: Array) -> list[Array]:
             return jax.vmap(function, in_axes=(*axes[:count], *(0 for _ in both[count:])), axis_size=size)(*both)
 
@@ -257,24 +291,22 @@ def _batch(args: Any, axes: Any, *, count: int, forward: Any, back: Any, **more:
         jnp.broadcast_to(x, (size, *jnp.shape(x))) if axis is None else jnp.moveaxis(x, axis, 0)
         for x, axis in zip(args[count:], axes[count:], strict=True)
     ]
-    results = _linear.bind(*args[:count], *ways, count=count, forward=each(forward), back=each(back), **more)
+    ahead, behind = (tuple(((size, *shape), dtype) for shape, dtype in kinds) for kinds in linear.kinds)
+    transpose = linear.back and each(linear.back)
+    copies = linear._replace(forward=each(linear.forward), back=transpose, kinds=(ahead, behind))
+    results = copies(*args[:count], *ways)
     return results, [0] * len(results)
 
 
-def _shapes(*args: Any, forward: Any, **known: Any) -> list[ShapedArray]:
-    structs = [jax.ShapeDtypeStruct(x.shape, x.dtype) for x in args]
-    return [ShapedArray(x.shape, x.dtype) for x in jax.eval_shape(forward, *structs)]
-
-
-def _evaluate(*args: Any, forward: Any, at_once: bool, **known: Any) -> list[Array]:
-    return (forward if at_once else jax.jit(forward))(*args)
+def _evaluate(*args: Any, linear: _LinearMap) -> list[Array]:
+    return (linear.forward if linear.at_once else jax.jit(linear.forward))(*args)
 
 
 _linear = Primitive("polhode_derivative")
 _linear.multiple_results = True
 _linear.def_impl(_evaluate)
-_linear.def_abstract_eval(_shapes)
+_linear.def_abstract_eval(lambda *args, linear: [ShapedArray(*kind) for kind in linear.kinds[0]])
 ad.primitive_jvps[_linear] = _jvp
 ad.primitive_transposes[_linear] = _transpose
 batching.primitive_batchers[_linear] = _batch
-mlir.register_lowering(_linear, mlir.lower_fun(lambda *args, forward, **known: forward(*args), multiple_results=True))
+mlir.register_lowering(_linear, mlir.lower_fun(lambda *args, linear: linear.forward(*args), multiple_results=True))
