@@ -68,11 +68,11 @@ class Point:
 
 
 Forward = Callable[[Point, Any, list[Array]], Any]
-"""Of a point, results and changes of the moving arrays, each of its array's shape: a nest, whose floating-point arrays
-are the changes J dx of the results that are floating-point arrays, in their order and of their shapes."""
+"""Of a point, results there, and changes of the moving arrays, each of its array's shape: a nest, whose floating-point
+arrays are the changes J dx of the results that are floating-point arrays, in their order and of their shapes."""
 Back = Callable[[Point, Any, list[Array]], Sequence[Array]]
-"""Of a point, results and weights w of those that are floating-point arrays: the weights Jᵀw of the moving arrays, of
-their shapes."""
+"""Of a point, results there, and weights w of those that are floating-point arrays, of their shapes: the weights Jᵀw of
+the moving arrays, each of its array's shape."""
 
 _Kind = tuple[tuple[int, ...], Any]
 """Shape and type of an array."""
@@ -82,12 +82,15 @@ _Kind = tuple[tuple[int, ...], Any]
 class Operation:
     """A function of JAX arrays whose derivatives are given.
 
-    It is called with nests of any shapes, in which all but JAX's arrays are constants. Under ``jax.jit`` its parts
-    become parts of the program. ``jax.jvp`` and ``jax.linearize`` take ``forward``; ``jax.grad`` and ``jax.vjp`` take
-    ``back``, of the same point. ``jax.vmap`` maps ``evaluate``, ``forward`` and ``back`` over the copies, of which
-    those that share an argument add up their weights of it; a function that batches in another way does so by a
-    primitive of its own, as ``Elementwise`` does. What these functions enclose is constant to derivatives, and must
-    not be traced if ``back`` is given. NumPy's arrays need no operation: ``Elementwise`` evaluates them without JAX.
+    It is called with nests of arrays of any shapes, in which all but JAX's arrays are constants.
+
+    - By ``jax.jit`` it becomes part of the program, as if it were called without.
+    - ``jax.jvp``, ``jacfwd`` and ``linearize`` take ``forward``; ``jax.grad``, ``vjp``, ``jacrev`` and
+      ``linear_transpose`` take ``back`` at the same point.
+    - ``jax.vmap`` maps ``evaluate``, ``forward`` and ``back`` over the copies; the weights of an argument that they
+      share are added up. A function that takes a batch itself is a primitive, as those of ``Elementwise`` are.
+    - What these functions enclose is constant to derivatives, and must not be traced where ``back`` is given.
+    - Without JAX there are no operations: ``Elementwise`` evaluates NumPy's arrays before it asks for one.
 
     Attributes:
         name: of the public function, for messages.
