@@ -342,11 +342,14 @@ def numbers_within(closed: Any) -> Iterator[Array]:
             yield from (v.val for v in equation.invars if hasattr(v, "val"))
 
 
-def types_within(closed: Any) -> Iterator[str]:
-    """Yield the names of the types of all operands and results in a function and functions within it."""
+def types_within(closed: Any) -> list[str]:
+    """Return the names of the types of all operands and results in a function and functions within it."""
+    types: dict[Any, None] = {}  # naming a type takes longer than all else
     for jaxpr, _ in _all_within(closed):
         for equation in jaxpr.eqns:
-            yield from (str(getattr(v.aval, "dtype", "")) for v in (*equation.invars, *equation.outvars))
+            for variable in (*equation.invars, *equation.outvars):
+                types[getattr(variable.aval, "dtype", None)] = None
+    return [str(kind) for kind in types]
 
 
 def _all_within(value: Any) -> Iterator[tuple[Any, Any]]:
