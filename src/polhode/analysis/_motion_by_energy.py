@@ -14,7 +14,7 @@ from polhode.analysis._conserved import Energy, differentiate
 from polhode.errors import InvalidInput
 from polhode.systems._agreement import moves_by_generator
 from polhode.systems.base import AbstractLiePoissonSystem
-from polhode.types import Float64
+from polhode.types import Array, Float64
 
 
 class MotionLimits(NamedTuple):
