@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable
 from enum import IntEnum
 from typing import Any, NamedTuple
 
@@ -53,6 +54,19 @@ class Node(NamedTuple):
     number: float = 0.0
 
 
+def squared_secant(x: Any, numbers: Any = np) -> Any:
+    """Return 1/cosh² x, which is 1 − tanh² x, with all its digits."""
+    small = numbers.exp(-2.0 * numbers.abs(x))
+    return 4.0 * small / (1.0 + small) ** 2
+
+
+FUNCTIONS: dict[Operation, Callable[[Any], Any]] = {
+    Operation.EXPONENTIAL: np.exp, Operation.LOGARITHM: np.log, Operation.SINE: np.sin, Operation.COSINE: np.cos,
+    Operation.TANH: np.tanh, Operation.SQUARED_SECANT: squared_secant, Operation.EXPONENTIAL_MINUS_ONE: np.expm1,
+    Operation.LOGARITHM_OF_ONE_PLUS: np.log1p,
+}  # fmt: skip
+
+
 def value_of(node: Node, x: list[Any]) -> Any:
     """Return the value of a node, of numbers or arrays of its arguments."""
     match node.operation:
@@ -62,31 +76,11 @@ def value_of(node: Node, x: list[Any]) -> Any:
             return x[0] * x[1]
         case Operation.POWER:
             return np.float64(x[0]) ** node.number if isinstance(x[0], float) else x[0] ** node.number
-        case Operation.EXPONENTIAL:
-            return np.exp(x[0])
-        case Operation.LOGARITHM:
-            return np.log(x[0])
-        case Operation.SINE:
-            return np.sin(x[0])
-        case Operation.COSINE:
-            return np.cos(x[0])
-        case Operation.TANH:
-            return np.tanh(x[0])
-        case Operation.SQUARED_SECANT:
-            return squared_secant(x[0])
-        case Operation.EXPONENTIAL_MINUS_ONE:
-            return np.expm1(x[0])
-        case Operation.LOGARITHM_OF_ONE_PLUS:
-            return np.log1p(x[0])
         case Operation.ECCENTRIC:
             return np.vectorize(eccentric_anomaly_at, otypes=[float])(x[0], node.number)
         case Operation.ECCENTRIC_SINE:
             return np.sin(x[1])
         case Operation.ECCENTRIC_COSINE:
             return np.cos(x[1])
-
-
-def squared_secant(x: Any, numbers: Any = np) -> Any:
-    """Return 1/cosh² x, which is 1 − tanh² x, with all its digits."""
-    small = numbers.exp(-2.0 * numbers.abs(x))
-    return 4.0 * small / (1.0 + small) ** 2
+        case _:
+            return FUNCTIONS[node.operation](x[0])
