@@ -74,7 +74,7 @@ class Writer:
 
     def operate(self, symbol: str, left: Any, right: Any) -> Any:
         """Return a sum, difference, product or quotient of integers, of numbers, or of one of them for each copy."""
-        kinds = [x.type for x in (left, right) if isinstance(x, ir.Value)]
+        kinds = [x.type for x in (left, right) if not isinstance(x, int | float)]
         kind = VECTOR if VECTOR in kinds else DOUBLE if DOUBLE in kinds else INTEGER
         of_integers, of_numbers = INSTRUCTIONS[symbol]
         both = (self._convert(x, kind) for x in (left, right))
@@ -82,8 +82,8 @@ class Writer:
 
     def _convert(self, x: Any, kind: Any) -> Any:
         """Return an integer or a number, of Python or of LLVM, as one of a kind."""
-        if not isinstance(x, ir.Value):
-            x = kind(x) if kind is INTEGER else DOUBLE(float(x))
+        if isinstance(x, int | float):
+            x = INTEGER(x) if kind is INTEGER else DOUBLE(float(x))
         elif x.type == INTEGER != kind:
             x = self.builder.sitofp(x, DOUBLE)
         return self.spread(x) if kind is VECTOR and x.type == DOUBLE else x

@@ -85,13 +85,13 @@ class _Loops(Words):
     def __getattr__(self, name: str) -> Callable[..., _Text]:
         return lambda *numbers: _Text(f"{name}({', '.join(map(str, numbers))})")
 
-    def eccentric_anomaly(self, x: _Text, number: _Text) -> _Text:
+    def eccentric_anomaly(self, mean_anomaly: _Text, number: _Text) -> _Text:
         each = f"flat[out * LANES + lane] = eccentric_anomaly_at(flat[x * LANES + lane], {number})"
         self.lines += ["for lane in range(LANES):", f"    {each}"]
         return _Text("z[out]")
 
-    def share(self, value: _Text) -> _Text:
-        self.lines.append(f"shared = {value}")
+    def share(self, x: _Text) -> _Text:
+        self.lines.append(f"shared = {x}")
         return _Text("shared")
 
     def move(self, index: str, start: str, sign: str) -> _Text:
@@ -103,10 +103,11 @@ class _Loops(Words):
         before, self.lines, self.indices = self.lines, [], {}
         totals = [_Text(f"total_{i}") for i in range(len(starts))]
         for total, part in zip(totals, terms(_Text("j")), strict=True):
-            self.lines.append(f"{total} = {total} {'' if part.text.startswith('-') else '+ '}{part}")
+            sign, size = ("-", part.text[1:]) if part.text.startswith("-") else ("+", part)
+            self.lines.append(f"{total} = {total} {sign} {size}")
         self.lines += [f"{index} = {index} {sign} width" for index, (_, sign) in self.indices.items()]
         before += [f"{total} = {start or 'spread(0.0)'}" for total, start in zip(totals, starts, strict=True)]
-        offset = f"{first} * width" if first else 0
-        before += [f"{index} = {place} {sign} {offset}" for index, (place, sign) in self.indices.items()]
+        for index, (place, sign) in self.indices.items():
+            before.append(f"{index} = {place} {sign} {first} * width" if first else f"{index} = {place}")
         self.lines = [*before, f"for j in range({first}, {stop}):", *(f"    {line}" for line in self.lines)]
         return totals
