@@ -273,11 +273,15 @@ def _numbers(
 ) -> str:
     """Return the words of an array's shape and bounds."""
     kind = "positive finite" if above == 0 else "finite"
-    plain = len(shape) == 1 and isinstance(shape[0], int) if shape is not None else False
-    count = (_WORDS[shape[0]] if shape[0] < len(_WORDS) else str(shape[0])) if plain else ""
-    words = f"a {kind} number" if shape == () else f"{count} {kind} numbers".lstrip()
-    if shape and not plain:
-        words += f" of shape ({', '.join(map(str, shape))}{',' if len(shape) == 1 else ''})"
+    match shape:
+        case None:
+            words = f"{kind} numbers"
+        case ():
+            words = f"a {kind} number"
+        case (int(n),):
+            words = f"{_WORDS[n] if n < len(_WORDS) else n} {kind} numbers"
+        case _:
+            words = f"{kind} numbers of shape ({', '.join(map(str, shape))}{',' * (len(shape) == 1)})"
     if above:
         words += f" above {above:g}"
     if least is not None:
