@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.extras import needing
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.formats.dataset_rules import COMPLEX_PART, COMPONENTS, COUNTED, MEMORY, PLAN, UNITS
 from polhode.formats.labels import AttitudeLabels, find_labels
 from polhode.formats.opening import MB, read_file
@@ -48,8 +49,7 @@ def as_dataset(trajectory: Trajectory, attributes: dict[str, str] | None = None)
     with needing("Datasets need"):
         import xarray as xr
 
-    if not isinstance(trajectory, Trajectory):
-        raise InvalidInput(f"`trajectory` must be a Trajectory, as `simulate` gives it; got {shown(trajectory)}.")
+    check.instance("trajectory", trajectory, Trajectory, "a Trajectory, as `simulate` gives it")
 
     return xr.Dataset(*_describe(trajectory, attributes))
 

@@ -9,9 +9,10 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode import rotation
+from polhode._base import check
 from polhode.bodies._turned import revolve
 from polhode.bodies.surface import Surface, box_in_place
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.formats.animation_keys import make_keys
 from polhode.formats.attitude_checks import single_attitude
 from polhode.formats.glb import Glb
@@ -83,8 +84,8 @@ def write_gltf(
     arrow_length = 1.3  # of the body's reach
     path = as_path("path", path)
     for name, value in (("rate", rate), ("speed", speed)):
-        if value is not None and not (math.isfinite(value) and value > 0):
-            raise InvalidInput(f"`{name}` must be positive and finite; got {shown(value)}. Give it in SI units.")
+        if value is not None:
+            check.number(name, value, above=0, remedy="Give it in SI units.")
     if not np.isfinite(single_attitude(trajectory, "glTF")).all():
         raise InvalidInput("glTF holds finite attitudes, and not all of these are. Cut the trajectory where they end.")
     speed = _watchable_speed(float(trajectory.times[-1] - trajectory.times[0])) if speed is None else speed

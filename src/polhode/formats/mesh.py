@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.extras import needing
 from polhode.bodies._mesh import mass_properties
 from polhode.bodies.body import Body
@@ -77,8 +78,8 @@ def load_mesh(path: str | Path, unit: float | None = None, repair: bool = False)
     if unit is None and not names_its_unit(path):
         raise InvalidInput(f"{path}: `unit` is missing, a length in metres like 1e-3; of mesh files only 3MF and DAE "
                            "name theirs.")
-    if unit is not None and (isinstance(unit, str) or not (np.ndim(unit) == 0 and np.isfinite(unit) and unit > 0)):
-        raise InvalidInput(f"`unit` must be a positive length in metres, like 1e-3 for millimetres; got {shown(unit)}.")
+    if unit is not None:
+        check.number("unit", unit, "m", above=0, remedy="Millimetres are 1e-3.")
     vertices, faces, unit = _load(path, read_file(path, "mesh", LARGEST_FILE), unit)
     if len(faces) == 0:
         raise FormatError(f"{path}: holds no triangles; it may be cut short. Export it again, as a surface mesh.")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from polhode._base import check
 from polhode.errors import InvalidInput, shown
 from polhode.formats.form import Content, Form
 from polhode.formats.form_registry import forms_that_end, writable_forms
@@ -30,8 +31,7 @@ def write_motion(motion: ExactMotion | Trajectory, path: str | Path) -> Path:
     ...     len(ph.formats.read_csv(write_motion(motion, f"{folder}/motion.csv")))
     2000
     """
-    if not isinstance(motion, ExactMotion | Trajectory):
-        raise InvalidInput(f"`motion` must be a motion or a trajectory; got {shown(motion)}.")
+    check.instance("motion", motion, (ExactMotion, Trajectory), "a motion or a trajectory")
     place = as_path("path", path)
     trajectory = motion if isinstance(motion, Trajectory) else motion.sample()
     title = getattr(trajectory.source, "title", "")

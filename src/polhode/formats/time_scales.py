@@ -12,7 +12,8 @@ import math
 from datetime import timedelta
 from fractions import Fraction
 
-from polhode.errors import InvalidInput, shown
+from polhode._base import check
+from polhode.errors import InvalidInput
 from polhode.formats.epochs import PICO, read_epoch, shortest
 from polhode.formats.leap_seconds import FIRST_DAY, FIRST_OFFSET, ORIGIN, leap_seconds
 
@@ -41,9 +42,7 @@ def terrestrial_time(epoch: str, time_system: str) -> Fraction:
     if time_system == "TDB":
         barycentric = _time_since_noon(epoch, time_system)
         return barycentric - Fraction(periodic_term(float(barycentric)))
-    if time_system not in TT_FROM:
-        raise InvalidInput(f"`time_system` must be one of {', '.join(CLOCKS)} here; got {shown(time_system)}.")
-    return _time_since_noon(epoch, time_system) + TT_FROM[time_system]
+    return _time_since_noon(epoch, time_system) + TT_FROM[check.one_of("time_system", time_system, CLOCKS)]
 
 
 def barycentric_time(epoch: str, time_system: str) -> Fraction:
