@@ -23,5 +23,5 @@ def test_correlations_beside_what_has_no_error():
 
 @pytest.mark.parametrize("confidence", [0.0, 1.0, -1.0, 95.0])
 def test_a_confidence_that_is_none(confidence):
-    with pytest.raises(InvalidInput, match="confidence must be between 0 and 1"):
+    with pytest.raises(InvalidInput, match="`confidence` must be between 0 and 1"):
         Estimate(("a",), np.zeros(1), np.eye(1)).interval(confidence)

@@ -249,7 +249,7 @@ def test_methods_along_the_orbit_stop_at_jumps(method):
 def test_bad_jumps_are_refused():
     with pytest.raises(InvalidInput, match="`jumps` must be a list of finite times"):
         Wheel((0.0, 0.0, 1.0), 0.1, jumps=[np.nan])
-    with pytest.raises(InvalidInput, match="`jumps` must be finite times"):
+    with pytest.raises(InvalidInput, match="`jumps` must be finite numbers"):
         gained(RigidBody(MOMENTS, torques=[Pulse(np.inf, 1.0, 0.5, True)]), 0.0, SPAN)
 
 

@@ -19,10 +19,10 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import compiled_quickly
 from polhode._base.arrays.traced_checks import check_traced
 from polhode._base.jaxprs import depends_on
-from polhode.errors import InvalidInput, shown
 from polhode.systems._component_sizes import component_sizes
 from polhode.systems._forms import FURTHER, rates_of_change
 from polhode.systems.base import AbstractSystem
@@ -62,9 +62,7 @@ def jumps_between(
     Raises:
         InvalidInput: for a jump that is not finite.
     """
-    instants = np.ravel(np.asarray(jumps, dtype=float))
-    if not np.isfinite(instants).all():
-        raise InvalidInput(f"`jumps` must be finite times [s]; got {shown(instants[~np.isfinite(instants)][0])}.")
+    instants = np.ravel(check.array("jumps", jumps, None, "s"))
     low, high = min(times[0], times[-1]), max(times[0], times[-1])
     return np.unique(instants[(instants > low) & (instants < high)])
 
