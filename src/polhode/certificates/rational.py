@@ -7,10 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from polhode._base import check
 from polhode.certificates._confinement import Confinement, find_confinement
 from polhode.certificates._equations import Equations
 from polhode.certificates._growth import Drift, Growth, find_drift, find_growth
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 
 Proof = Confinement | Growth | Drift
 
@@ -81,9 +82,8 @@ def require_rational(certificate: RationalCertificate) -> None:
     Raises:
         InvalidInput: for anything else.
     """
-    if not isinstance(certificate, RationalCertificate):
-        raise InvalidInput(f"`certificate` must be a RationalCertificate; got {shown(certificate)}. "
-                           "Make one by `as_rational()` of the certificate of a verdict.")
+    check.instance("certificate", certificate, RationalCertificate, "a RationalCertificate",
+                   "Make one by `as_rational()` of the certificate of a verdict.")
 
 
 def find_certificate(

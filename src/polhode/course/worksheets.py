@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import html
 
+from polhode._base import check
 from polhode.course.exercises import TIERS, Chapter, Question, read_chapter
 from polhode.course.responses import wanted_digits
-from polhode.errors import InvalidInput, shown
 
 STYLE = (
     "body{max-width:46rem;margin:2rem auto;padding:0 1rem;font:11pt/1.5 serif}h1{font-size:1.5em}"
@@ -31,8 +31,7 @@ def worksheet(chapter: str, seed: int = 0, *, key: bool = False) -> str:
     >>> "teacher" in worksheet("two-surfaces", key=True)
     True
     """
-    if not isinstance(seed, int) or isinstance(seed, bool) or seed < 0:
-        raise InvalidInput(f"`seed` must be a whole number from 0; got {shown(seed)}.")
+    check.whole("seed", seed, 0)
     data = read_chapter(chapter)
     title = f"{data.title}: {'teacher’s key' if key else 'worksheet'}"
     head = "" if key else '<p class="name"><span>Name <span class="blank"></span></span></p>'

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from polhode._base import check
 from polhode._base.extras import needing
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.kinds.registry import kind_of_source
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.base import AbstractMotion
@@ -40,8 +41,7 @@ def plot(motion: AbstractMotion | Trajectory | Report) -> Figure:
         if first is None:
             raise InvalidInput(f"a report of kind {motion.kind} has no figures. Print its `summary` and `answers`.")
         return first
-    if not isinstance(motion, AbstractMotion | Trajectory):
-        raise InvalidInput(f"`motion` must be a motion, a trajectory or a report; got {shown(motion)}.")
+    check.instance("motion", motion, (AbstractMotion, Trajectory), "a motion, a trajectory or a report")
     kind = kind_of_source(motion.source if isinstance(motion, Trajectory) else motion)
     sides = () if kind is None else kind.overview()
     if not sides:

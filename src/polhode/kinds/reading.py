@@ -11,6 +11,7 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
+from polhode._base import check
 from polhode._base.extras import needing
 from polhode._base.plugins import record_plugins
 from polhode.errors import FormatError, InvalidInput, NotConverged, printable, shown
@@ -115,11 +116,8 @@ def report(spec: Spec[Any] | str | Path) -> SystemReport:
     """
     if isinstance(spec, Spec):
         return spec.report()
-    if not isinstance(spec, str | os.PathLike):
-        raise InvalidInput(
-            f"`spec` must be a Spec, as `read_spec` returns it, or the path of a file; got {shown(spec)}. "
-            "What a report says of motions and trajectories is in `polhode.analysis`."
-        )
+    check.instance("spec", spec, (str, os.PathLike), "a Spec, as `read_spec` returns it, or the path of a file",
+                   "What a report says of motions and trajectories is in `polhode.analysis`.")
     return with_inputs(lambda: _report_on_file(as_path("spec", spec)))
 
 

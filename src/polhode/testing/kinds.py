@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode.errors import InvalidInput, one_line, shown
 from polhode.formats.dataset_reading import read_dataset
 from polhode.kinds.added_figures import FILE_NAME
@@ -58,8 +59,7 @@ def check_kind(kind: AbstractKind[Any]) -> None:
     >>> from polhode.kinds.registry import default_kind
     >>> check_kind(default_kind())
     """
-    if not isinstance(kind, AbstractKind):
-        raise InvalidInput(f"`kind` must be an object of a subclass of AbstractKind, as KIND is; got {shown(kind)}.")
+    check.instance("kind", kind, AbstractKind, "an object of a subclass of AbstractKind, as KIND is")
     _check_parts(kind)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "example.toml"

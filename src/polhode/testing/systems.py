@@ -8,8 +8,9 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays.traced_checks import check_function
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.systems._forms import refuse_other_objects
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, components
 from polhode.testing.laws import hold
@@ -51,8 +52,7 @@ def check_system(
     >>> check_system(SpinOrbit(0.89, 0.1), states=[[0.3, 1.0], [1.0, -0.5]])
     """
     refuse_other_objects(system)
-    if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
-        raise InvalidInput(f"`seed` must be a whole number, not negative; got {shown(seed)}. Give states by `states=`.")
+    check.whole("seed", seed, 0, remedy="Give states by `states=`.")
     for batch in _draw_states(system, seed, size) if states is None else [_check_states(system, states)]:
         one = batch[0]
         check_function(f"`vector_field` of {type(system).__name__}", system.vector_field, jnp.asarray(TIME), one)

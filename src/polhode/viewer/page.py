@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode._base import check
 from polhode.bodies.surface import Surface
 from polhode.errors import InvalidInput, shown
 from polhode.motion._trajectory import Trajectory
@@ -142,8 +143,7 @@ def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:
         )
     if name is not None and not isinstance(name, str):
         raise InvalidInput(f"`name` must be text; got {shown(name)}. Put it in quotes.")
-    if not isinstance(summary, str):
-        raise InvalidInput(f"`summary` must be text; got {shown(summary)}. Put it in quotes.")
+    check.instance("summary", summary, str, "text", "Put it in quotes.")
     if isinstance(notes, str) or not all(isinstance(note, str) for note in notes):
         raise InvalidInput(
             f"`notes` must be a list of texts; got {shown(notes)}. "

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from matplotlib.figure import Figure
 
-from polhode.errors import InvalidInput, shown
+from polhode._base import check
 from polhode.figures import style
 from polhode.spacecraft.comparing.comparison import Comparison, Invariants
 from polhode.types import Array
@@ -33,9 +33,7 @@ def comparison(comparison: Comparison) -> Figure:
     Raises:
         InvalidInput: for anything else.
     """
-    if not isinstance(comparison, Comparison):
-        got = shown(comparison)
-        raise InvalidInput(f"`comparison` must be a Comparison, as polhode.compare(a, b) returns it; got {got}.")
+    check.instance("comparison", comparison, Comparison, "a Comparison, as polhode.compare(a, b) returns it")
     known = [(side, kept) for side, kept in zip("AB", comparison.invariants, strict=True) if kept is not None]
     figure = style.new_figure(height=4.1 if known else 2.7)
     upper, *rest = np.atleast_1d(figure.subplots(2 if known else 1, 1, sharex=True))
