@@ -106,12 +106,6 @@ def three(unit: str) -> BeforeValidator:
     return BeforeValidator(check)
 
 
-def _not_negative(value: float) -> float:
-    if value < 0:
-        raise ValueError(f"must not be negative; got {value:g} kg m². Check its sign")
-    return value
-
-
 def _rows(value: Any) -> Any:
     if not isinstance(value, list) or len(value) != 3:
         raise ValueError(f"needs three rows of three moments each, [[…], […], […]]; got {shown(value)}")
@@ -188,12 +182,6 @@ def _plain(value: Any) -> float:
     return float(value)
 
 
-def _positive(value: float) -> float:
-    if not value > 0:
-        raise ValueError(f"must be positive; got {value:g}. Check its sign, or leave it out")
-    return value
-
-
 def within(least: float, most: float, what: str) -> Callable[[float], float]:
     """Return a check of bounds; its message names the quantity."""
 
@@ -205,16 +193,21 @@ def within(least: float, most: float, what: str) -> Callable[[float], float]:
     return check
 
 
+def _ruled(holds: Callable[[float], bool], rule: str, written: Callable[[float], str], remedy: str) -> AfterValidator:
+    """Return a check of a number that has been read, whose message says the rule, the number and the remedy."""
+
+    def check(value: float) -> float:
+        if not holds(value):
+            raise ValueError(f"must {rule}; got {written(value)}. {remedy}")
+        return value
+
+    return AfterValidator(check)
+
+
 def _in_degrees(value: float) -> str:
     """Return an angle [rad] in degrees; in radians where that many degrees overflow."""
     angle = math.degrees(value)
     return f"{angle:g} deg" if math.isfinite(angle) else f"{value:g} rad"
-
-
-def _racket_tilt(value: float) -> float:
-    if not 0.0 <= value <= math.radians(85.0):
-        raise ValueError(f"must be from 0 to 85 deg; got {_in_degrees(value)}. At 90 L is on another axis")
-    return value
 
 
 @mark_unit("Hz")
@@ -251,42 +244,9 @@ def _precession(value: Any) -> float | str:
         raise ValueError(f'{error}; or "slow" or "fast", for steady precession') from None
 
 
-def _friction(value: float) -> float:
-    if value < 0:
-        raise ValueError(f"must not be negative; got {value:g} N m s. Friction is given without a sign")
-    return value
-
-
-def _lean(value: float) -> float:
-    if not 0.0 <= value <= math.pi * (1.0 + 1e-15):
-        raise ValueError(f"must lie from 0 to 180 deg; got {_in_degrees(value)}. Check it")
-    return value
-
-
 def not_zero(value: float) -> float:
     if value == 0.0:
         raise ValueError("must not be zero; leave it out, or give another number")
-    return value
-
-
-def _latitude(value: float) -> float:
-    if not abs(value) <= 0.5 * math.pi * (1.0 + 1e-15):
-        raise ValueError(f"must lie from -90 to 90 deg; got {_in_degrees(value)}. Check it")
-    return value
-
-
-def _thickness(value: float) -> float:
-    if value < 0:
-        raise ValueError(f"must not be negative; got {value:g} m. Check its sign, or leave it out for a thin disk")
-    return value
-
-
-def _check_tilt(value: float) -> float:
-    if not 0.0 < value < math.pi:
-        raise ValueError(
-            f"must lie between 0 and 180 deg; got {_in_degrees(value)}. A disk that lies flat touches with all "
-            "of its face and does not roll: start at a small tilt, such as 5 deg"
-        )
     return value
 
 
@@ -313,7 +273,9 @@ Angle = Annotated[float, quantity("rad")]
 Duration = Annotated[float, quantity("s", positive=True)]
 Coordinate = Annotated[float, quantity("m")]
 Moment = Annotated[float, quantity("kg*m^2")]
-NotNegative = Annotated[Moment, AfterValidator(_not_negative)]
+NotNegative = Annotated[
+    Moment, _ruled(lambda x: x >= 0.0, "not be negative", "{:g} kg m²".format, "Check its sign")
+]
 MomentumComponent = Annotated[float, quantity("kg*m^2/s")]
 Corner = tuple[Coordinate, Coordinate]
 Outline = Annotated[list[Corner], Field(min_length=3), BeforeValidator(_outline)]
@@ -342,29 +304,50 @@ Direction = Annotated[tuple[float, float, float], BeforeValidator(_direction)]
 Acceleration = Annotated[float, quantity("m/s^2", positive=True)]
 Torque = Annotated[float, quantity("N*m")]
 PositiveTorque = Annotated[float, quantity("N*m", positive=True)]
-BearingFriction = Annotated[float, quantity("N*m*s"), AfterValidator(_friction)]
+BearingFriction = Annotated[
+    float, quantity("N*m*s"),
+    _ruled(lambda x: x >= 0.0, "not be negative", "{:g} N m s".format, "Friction is given without a sign"),
+]
 NutationLoss = Annotated[float, quantity("W/rad^2", positive=True)]
 LinearDragCoefficient = Annotated[float, quantity("N*m*s", positive=True)]
 QuadraticDragCoefficient = Annotated[float, quantity("N*m*s^2", positive=True)]
 PositiveMoment = Annotated[float, quantity("kg*m^2", positive=True)]
 Plain = Annotated[float, BeforeValidator(_plain)]
 Samples = Annotated[StrictInt, Field(ge=2, le=10_000_000)]
-PositivePlain = Annotated[Plain, AfterValidator(_positive)]
+PositivePlain = Annotated[
+    Plain, _ruled(lambda x: x > 0.0, "be positive", "{:g}".format, "Check its sign, or leave it out")
+]
 GravitationalParameter = Annotated[float, quantity("m^3/s^2", positive=True)]
 Eccentricity = Annotated[Plain, AfterValidator(within(0.0, 0.99, "an ellipse that is not almost a line"))]
 Asphericity = Annotated[Plain, AfterValidator(within(0.0, math.sqrt(3.0), "√(3(B − A)/C), as B − A ≤ C"))]
 SpinRatio = Annotated[Plain, AfterValidator(within(-30.0, 30.0, "turns per orbit, where resonances may be felt"))]
 Orbits = Annotated[StrictInt, Field(ge=1, le=100_000)]
-Thickness = Annotated[float, quantity("m"), AfterValidator(_thickness)]
-Lean = Annotated[Angle, AfterValidator(_lean)]
-RacketTilt = Annotated[Angle, AfterValidator(_racket_tilt)]
-Tilt = Annotated[Angle, AfterValidator(_check_tilt)]
+Thickness = Annotated[
+    float, quantity("m"),
+    _ruled(lambda x: x >= 0.0, "not be negative", "{:g} m".format, "Check its sign, or leave it out for a thin disk"),
+]
+Lean = Annotated[
+    Angle, _ruled(lambda x: 0.0 <= x <= math.pi * (1.0 + 1e-15), "lie from 0 to 180 deg", _in_degrees, "Check it")
+]
+RacketTilt = Annotated[
+    Angle,
+    _ruled(lambda x: 0.0 <= x <= math.radians(85.0), "be from 0 to 85 deg", _in_degrees, "At 90 L is on another axis"),
+]
+Tilt = Annotated[
+    Angle, _ruled(
+        lambda x: 0.0 < x < math.pi, "lie between 0 and 180 deg", _in_degrees, "A disk that lies flat touches with all "
+        "of its face and does not roll: start at a small tilt, such as 5 deg",
+    )
+]
 Power = Annotated[float, quantity("W", positive=True)]
 Viscosity = Annotated[float, quantity("Pa*s", positive=True)]
 Speed = Annotated[float, quantity("m/s")]
 Energy = Annotated[float, quantity("J")]
 MagneticFlux = Annotated[float, quantity("T")]
 MagneticField = Annotated[tuple[MagneticFlux, MagneticFlux, MagneticFlux], three("T")]
-Latitude = Annotated[Angle, AfterValidator(_latitude)]
+Latitude = Annotated[
+    Angle,
+    _ruled(lambda x: abs(x) <= 0.5 * math.pi * (1.0 + 1e-15), "lie from -90 to 90 deg", _in_degrees, "Check it"),
+]
 Circulation = Annotated[float, quantity("m^2/s"), AfterValidator(not_zero)]
 Velocity = Annotated[tuple[Speed, Speed, Speed], three("m/s")]
