@@ -90,6 +90,11 @@ def number(
     return x
 
 
+def positive(**named: Any) -> list[float]:
+    """Return numbers that are positive and finite, as ``number`` does."""
+    return [number(name, value, above=0) for name, value in named.items()]
+
+
 def whole(
     name: str, value: Any, least: int | None = None, most: int | None = None, *, what: str = "", remedy: str = ""
 ) -> int:

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from polhode._base.arrays import as_float64, compiled, is_jax, is_traced, namespace
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.rotation import LIMITS as ROTATION_LIMITS
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, FloatOrArray, Integer, Real, Shaped
 
@@ -168,13 +168,6 @@ def refuse_not_finite(**named: Array) -> None:
     for name, value in named.items():
         if not all_finite(value):
             raise InvalidInput(f"`{name}` must be finite; got NaN or an infinity. Check where it comes from.")
-
-
-def refuse_not_positive(**named: float) -> None:
-    """Refuse numbers that are not positive and finite."""
-    for name, value in named.items():
-        if not 0.0 < value < math.inf:
-            raise InvalidInput(f"`{name}` must be positive and finite; got {shown(value)}.")
 
 
 def checked_times(xp: Any, t: Real[ArrayLike, "*shape"], batch: tuple[int, ...]) -> Float64[Array, "*shape"]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import namespace
 from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn, chosen_axes
@@ -249,8 +250,7 @@ class Trajectory(Plotted):
         if not isinstance(rows, slice):
             rows, count = np.asarray(rows), len(self.times)
             if rows.ndim != 1 or not np.all((rows == rows.astype(int)) & (rows >= -count) & (rows < count)):
-                raise InvalidInput(f"`rows` must be a slice or a list of indices of the {count} samples; got "
-                                   f"{shown(rows.tolist())}.")
+                check.refuse("rows", f"a slice or a list of indices of the {count} samples", rows.tolist())
         axis = len(self.batch_shape)
         at = (slice(None),) * axis + (rows,)
         values: dict[str, Any] = {name: getattr(self, name) for name in _SAMPLED}

@@ -7,7 +7,6 @@ import numpy as np
 from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
-from polhode.motion._inputs import refuse_not_positive
 from polhode.types import ArrayLike, Float64, Real
 
 
@@ -59,7 +58,7 @@ def internal_damping_time(
         >>> round(internal_damping_time(27.38 * 3600, 340.0) / year / 1e9, 1)  # Apophis
         35.3
     """
-    refuse_not_positive(
+    check.positive(
         period=period, diameter=diameter, density=density, rigidity=rigidity, shape_factor=shape_factor
     )
     rate = 2 * np.pi / period

@@ -10,7 +10,6 @@ from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.bodies._pivot import STANDARD_GRAVITY
 from polhode.errors import InvalidInput
-from polhode.motion._inputs import refuse_not_positive
 from polhode.special.elliptic import complete_k
 from polhode.types import Array
 
@@ -42,7 +41,7 @@ def filament_period(
     >>> round(filament_period(0.01, 1.0, 1.0, 0.2, 0.2), 6), round(2 * math.pi * math.sqrt(0.01 / 9.80665 / 0.04), 6)
     (1.003205, 1.003205)
     """
-    refuse_not_positive(moment=moment, mass=mass, length=length, upper=upper, lower=lower, gravity=gravity)
+    check.positive(moment=moment, mass=mass, length=length, upper=upper, lower=lower, gravity=gravity)
     inertial, rise = _filament_integrand(mass, length, upper, lower, amplitude, gravity)
     return float(2.0 * math.pi * np.mean(np.sqrt((moment + inertial) * rise)))
 
@@ -60,7 +59,7 @@ def filament_moment(
     >>> round(filament_moment(filament_period(0.01, 1.0, 1.0, 0.2, 0.3, 1.0), 1.0, 1.0, 0.2, 0.3, 1.0), 15)
     0.01
     """
-    refuse_not_positive(period=period, mass=mass, length=length, upper=upper, lower=lower, gravity=gravity)
+    check.positive(period=period, mass=mass, length=length, upper=upper, lower=lower, gravity=gravity)
     inertial, rise = _filament_integrand(mass, length, upper, lower, amplitude, gravity)
     moment = (period / (2.0 * math.pi * float(np.mean(np.sqrt(rise))))) ** 2
     computed = period
@@ -97,7 +96,7 @@ def compound_period(
     Raises:
         InvalidInput: for numbers that are not positive, or an amplitude of half a turn and more.
     """
-    refuse_not_positive(moment=moment, mass=mass, distance=distance, gravity=gravity)
+    check.positive(moment=moment, mass=mass, distance=distance, gravity=gravity)
     return 4.0 * math.sqrt((moment + mass * distance**2) / (mass * gravity * distance)) * quarter_period(amplitude)
 
 
@@ -112,7 +111,7 @@ def compound_moment(
     >>> round(compound_moment(compound_period(0.02, 1.0, 0.3, 0.5), 1.0, 0.3, 0.5), 15)
     0.02
     """
-    refuse_not_positive(period=period, mass=mass, distance=distance, gravity=gravity)
+    check.positive(period=period, mass=mass, distance=distance, gravity=gravity)
     return mass * gravity * distance * (period / (4.0 * quarter_period(amplitude))) ** 2 - mass * distance**2
 
 

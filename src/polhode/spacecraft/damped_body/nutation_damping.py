@@ -16,7 +16,6 @@ import math
 from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput
-from polhode.motion._inputs import refuse_not_positive
 
 
 @known_numbers_only
@@ -38,7 +37,7 @@ def nutation_time_constant(transverse: float, axial: float, spin: float, loss: f
     >>> nutation_time_constant(1.0, 2.0, 10.0, 0.5), nutation_time_constant(2.0, 1.0, 10.0, 0.5)
     (400.0, -100.0)
     """
-    refuse_not_positive(transverse=transverse, axial=axial, spin=abs(spin), loss=loss)
+    check.positive(transverse=transverse, axial=axial, spin=abs(spin), loss=loss)
     if transverse == axial:
         raise InvalidInput("a body of equal moments feels no nutation; `transverse` and `axial` must differ.")
     rate = axial * spin / transverse
@@ -68,7 +67,7 @@ def damper_loss(
 
     Source: Cloutier, AIAA J. 7 (1969) 1672; Hughes, *Spacecraft Attitude Dynamics*, §5.3.
     """
-    refuse_not_positive(
+    check.positive(
         transverse=transverse, axial=axial, spin=abs(spin), mass=mass, radius=radius, frequency=frequency,
         damping=damping,
     )
@@ -96,6 +95,6 @@ def slosh_frequency(spin: float, pivot: float, length: float) -> float:
 
     Source: Abramson, *The Dynamic Behavior of Liquids in Moving Containers*, NASA SP-106, ch. 6.
     """
-    refuse_not_positive(spin=abs(spin), length=length)
+    check.positive(spin=abs(spin), length=length)
     check.number("pivot", pivot, "m", least=0)
     return abs(spin) * math.sqrt((pivot + length) / length)
