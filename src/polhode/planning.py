@@ -19,6 +19,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import integrators
+from polhode._base import check
 from polhode._base.arrays import is_positive, known_numbers_only
 from polhode.errors import InvalidInput, shown
 from polhode.integrators import _diffrax as diffrax
@@ -192,9 +193,7 @@ def check_request(
     except TypeError:
         raise InvalidInput(f"`order` must be a whole number; got {shown(order)}.") from None
     if tolerance is not None and tolerance < EPS:
-        raise InvalidInput(
-            f"`tolerance` must be at least {EPS:.2g}, a rounding; got {shown(tolerance)}. Leave it out for the default."
-        )
+        check.refuse("tolerance", f"at least {EPS:.2g}, a rounding", tolerance, "Leave it out for the default.")
     if step is not None and tolerance is not None and not (is_adaptive(method) or is_series(method)):
         raise InvalidInput("give `step` or `tolerance`, which chooses the step, not both.")
     every = check_every(save, len(times))

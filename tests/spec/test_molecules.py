@@ -71,7 +71,7 @@ def test_placing_and_combining_keep_that_moments_are_effective():
     assert turned.effective and turned.inertial_defect == pytest.approx(water.inertial_defect, rel=1e-12)
     assert ph.combine([water]).effective and not ph.combine([ph.shapes.sphere(1.0, 1.0)]).effective
     assert ph.shapes.disk(1.0, 1.0).inertial_defect == 0.0  # flat, but for rounding
-    with pytest.raises(InvalidInput, match="must be three positive"):
+    with pytest.raises(InvalidInput, match="must be three positive finite"):
         ph.Body.from_rotational_constants(1e9, 0.0, 1e9)
 
 

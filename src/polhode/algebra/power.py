@@ -10,6 +10,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import is_traced
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput, shown
@@ -52,10 +53,7 @@ class Power(AbstractLieAlgebra):
 
     def __check_init__(self) -> None:
         if not self.shape or not all(isinstance(n, int) and n >= 1 for n in self.shape):
-            raise InvalidInput(
-                "`count` must be a whole number of copies, at least 1, or a tuple of such numbers; "
-                f"got {shown(self.count)}."
-            )
+            check.refuse("count", "a whole number of copies, at least 1, or a tuple of such numbers", self.count)
         if self.weights is None:
             return
         if self.weights.shape != self.shape:

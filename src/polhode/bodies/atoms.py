@@ -9,10 +9,11 @@ from importlib.resources import files
 
 import numpy as np
 
+from polhode._base import check
 from polhode.bodies import _points as points
 from polhode.bodies._digits import judge_moments, last_digit, unsure_moments
 from polhode.bodies._inertia import MassProperties, principal_axes
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.types import Array, ArrayLike, Float64, Real
 
 ATOMIC_MASS_UNIT = 1.66053906892e-27  # kg, CODATA 2022
@@ -73,10 +74,8 @@ def isotopic_masses(symbols: Sequence[str]) -> Float64[Array, "n"]:
 def _look_up(symbols: Sequence[str], table: dict[str, float]) -> Float64[Array, "n"]:
     unknown = [symbol for symbol in symbols if symbol not in table]
     if unknown:
-        raise InvalidInput(
-            f"`symbols` must be chemical elements; got {shown(unknown[0])}. {explain_symbol(str(unknown[0]))}"
-            "Any names will do where you give `masses`."
-        )
+        check.refuse("symbols", "chemical elements", unknown[0],
+                     f"{explain_symbol(str(unknown[0]))}Any names will do where you give `masses`.")
     return np.array([table[symbol] for symbol in symbols]) * ATOMIC_MASS_UNIT
 
 

@@ -374,10 +374,7 @@ def combine(bodies: Sequence[Body | MassProperties], cut: Sequence[Body | MassPr
     if not added:
         raise InvalidInput("`bodies` must name at least one body to combine; got none.")
     if strange := [body for body in (*added, *taken) if not isinstance(body, Body | MassProperties)]:
-        raise InvalidInput(
-            f"`bodies` must be Body objects; got {shown(strange[0])}. "
-            "Make one with polhode.shapes or Body."
-        )
+        check.refuse("bodies", "Body objects", strange[0], "Make one with polhode.shapes or Body.")
     whole = [*added, *taken]
     signs = np.array([1.0] * len(added) + [-1.0] * len(taken))
     masses = signs * [_mass_of(body) for body in whole]

@@ -333,10 +333,8 @@ def _check_constants(constants: Array) -> tuple[float, float, float]:
     except (TypeError, ValueError):
         raise InvalidInput(f"`constants` must be three numbers A, B, C [Hz]; got {shown(constants)}.") from None
     if values.shape != (3,) or np.isnan(values).any() or not np.isfinite(values[1:]).all() or (values < 0.0).any():
-        raise InvalidInput(
-            f"`constants` must be three numbers A, B, C [Hz], finite and not negative; got {shown(constants)}. Only A "
-            "may be infinite, for a linear molecule."
-        )
+        check.refuse("constants", "three numbers A, B, C [Hz], finite and not negative", constants,
+                     "Only A may be infinite, for a linear molecule.")
     A, B, C = (float(x) for x in values)
     if A == 0.0 and B == C > 0.0:  # as codes of quantum chemistry print those of a linear molecule
         raise InvalidInput(f"`constants` must be in the order A ≥ B ≥ C; got 0, {B:g}, {C:g}. A linear molecule "

@@ -10,6 +10,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import compiled_for_few_calls, is_jax
 from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
@@ -94,10 +95,8 @@ def distances(system: AbstractSystem, t: Float64[Array, ""], state: Double[Array
     """
     events = system.events
     if not isinstance(events, Mapping) or not all(map(callable, events.values())):
-        raise InvalidInput(
-            f"`events` of {type(system).__name__} must be functions of time and state by name, {{name: function}}; got "
-            f"{shown(events)}."
-        )
+        check.refuse(f"`events` of {type(system).__name__}", "functions of time and state by name, {name: function}",
+                     events)
     return jnp.stack([one_number(f"the event {shown(name)}", event(t, state)) for name, event in events.items()])
 
 

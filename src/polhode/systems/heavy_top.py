@@ -16,7 +16,7 @@ from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
 from polhode.bodies._pivot import STANDARD_GRAVITY, about_pivot
 from polhode.bodies.body import Body
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.motion._inputs import refuse_not_finite
 from polhode.motion._layout import Quantity
 from polhode.systems._checks import as_floats, checked_number
@@ -76,9 +76,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         direction = as_floats(axis)
         largest = np.abs(direction).max() if direction.shape == (3,) else np.nan
         if not (np.isfinite(largest) and largest > 0):
-            raise InvalidInput(
-                f"`axis` must be a direction (3,), from fixed point to centre of mass; got {shown(axis)}."
-            )
+            check.refuse("axis", "a direction (3,), from fixed point to centre of mass", axis)
         self.algebra, self.moments = SE3(), checked_moments(moments)
         direction = np.ldexp(direction, -np.frexp(largest)[1])  # squares of extreme lengths overflow
         self.mgl, self.axis = checked_number("mgl", mgl, unit="N m"), jnp.asarray(direction / np.linalg.norm(direction))

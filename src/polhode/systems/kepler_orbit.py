@@ -10,8 +10,9 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode._base import check
 from polhode._base.arrays import compiled_for_few_calls, known_numbers_only
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.systems._checks import checked_number
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
@@ -60,9 +61,7 @@ class KeplerOrbit(eqx.Module):
         self.mean_motion = checked_number("mean_motion", mean_motion, above=0.0, unit="rad/s")
         self.eccentricity = checked_number("eccentricity", eccentricity, least=0.0)
         if not float(self.eccentricity) < 1.0:
-            raise InvalidInput(
-                f"`eccentricity` must be below 1; got {shown(eccentricity)}. Only ellipses come round again."
-            )
+            check.refuse("eccentricity", "below 1", eccentricity, "Only ellipses come round again.")
         self.mean_anomaly_at_start = checked_number("mean_anomaly", mean_anomaly, unit="rad")
         angles = {"inclination": inclination, "node": node, "periapsis": periapsis}
         turns = [float(checked_number(name, angle, unit="rad")) for name, angle in angles.items()]

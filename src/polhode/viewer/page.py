@@ -145,10 +145,7 @@ def check_given(trajectory: Any, name: Any, summary: Any, notes: Any) -> None:
         raise InvalidInput(f"`name` must be text; got {shown(name)}. Put it in quotes.")
     check.instance("summary", summary, str, "text", "Put it in quotes.")
     if isinstance(notes, str) or not all(isinstance(note, str) for note in notes):
-        raise InvalidInput(
-            f"`notes` must be a list of texts; got {shown(notes)}. "
-            "Put each line in quotes, all in brackets."
-        )
+        check.refuse("notes", "a list of texts", notes, "Put each line in quotes, all in brackets.")
 
 
 def make_model(trajectory: Trajectory) -> dict[str, Any] | None:

@@ -159,9 +159,7 @@ def resonance_strength(order: float, eccentricity: float) -> float:
     fewest_nodes = 64  # of the trapezoidal rule
     e, p = float(eccentricity), float(order)
     if not (2.0 * p).is_integer():
-        raise InvalidInput(
-            f"`order` of a resonance must be half an integer; got {shown(order)}. It is turns per orbit."
-        )
+        check.refuse("`order` of a resonance", "half an integer", order, "It is turns per orbit.")
     if not 0.0 <= e < 1.0:
         raise InvalidInput(f"`eccentricity` must be within 0 ≤ e < 1; got {shown(eccentricity)}.")
     count = fewest_nodes + 16 * math.ceil(abs(p)) + (math.ceil(decay / math.acosh(1.0 / e)) if e > 1e-16 else 0)

@@ -7,9 +7,9 @@ from typing import ClassVar
 
 import jax.numpy as jnp
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.bodies.body import Body
-from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import Quantity, StateLayout, StatePart
 from polhode.systems._checks import checked_number
 from polhode.systems.base import AbstractSystem, Balance, as_finite_state
@@ -56,9 +56,7 @@ class SpinOrbit(AbstractSystem):
     ) -> None:
         self.asphericity = checked_number("asphericity", asphericity, least=0.0)
         if not float(self.asphericity) <= math.sqrt(3.0) * (1.0 + 1e-12):
-            raise InvalidInput(
-                f"`asphericity` must be at most √3, as B − A ≤ C; got {shown(asphericity)}. It is √(3(B − A)/C)."
-            )
+            check.refuse("asphericity", "at most √3, as B − A ≤ C", asphericity, "It is √(3(B − A)/C).")
         self.orbit = KeplerOrbit(mean_motion, eccentricity, mean_anomaly)
 
     @classmethod

@@ -348,9 +348,7 @@ def _checked_strengths(strengths: Real[ArrayLike, "n"]) -> Float64[Array, "n"]:
     require_doubles(strengths=strengths)
     values = np.asarray(strengths, dtype=float)
     if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all() or not values.all():
-        raise InvalidInput(
-            f"`strengths` must be at least two finite numbers other than zero (n,); got {shown(strengths)}."
-        )
+        check.refuse("strengths", "at least two finite numbers other than zero (n,)", strengths)
     return jnp.asarray(values)
 
 

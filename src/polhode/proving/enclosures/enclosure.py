@@ -413,9 +413,7 @@ def _check_radii(value: ArrayLike | None, balls: BallSystem, start: Array) -> Fl
     except (TypeError, ValueError):
         radii = np.full(1, np.nan)
     if radii.shape not in ((), shape) or not (np.isfinite(radii) & (radii >= 0.0)).all():
-        raise InvalidInput(
-            f"`state_radii` must be numbers that are not negative, one or of shape {shape}; got {shown(value)}."
-        )
+        check.refuse("state_radii", f"numbers that are not negative, one or of shape {shape}", value)
     return np.repeat(np.broadcast_to(radii, shape).ravel(), 2 if balls.form.is_complex else 1)
 
 

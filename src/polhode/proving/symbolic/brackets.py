@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from polhode._base import check
 from polhode._base.rational.numbers import EXACT, check_reading, read_number
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.casimirs import invariant_polynomials, rational_brackets
@@ -166,10 +167,8 @@ class LiePoissonBracket:
         """
         wrong = [c for row in self.constants for vector in row for c in vector if not c.is_Rational]
         if wrong:
-            raise InvalidInput(
-                f"structure constants must be numbers for exact linear algebra; got {shown(str(wrong[0]))}. "
-                "Put numbers in place of its symbols."
-            )
+            check.refuse("structure constants", "numbers for exact linear algebra", str(wrong[0]),
+                         "Put numbers in place of its symbols.")
         return [[{k: Fraction(int(c.p), int(c.q)) for k, c in enumerate(vector) if c != 0} for vector in row]
                 for row in self.constants]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from polhode._base import check
 from polhode.errors import InvalidInput, shown
 from polhode.proving.symbolic._gate import sympy
 
@@ -87,8 +88,7 @@ def unstable_condition(characteristic: Any, exponent: Any) -> Any:
     powers = sympy.Poly(sympy.numer(sympy.together(characteristic)), exponent).terms()
     lowest = min(n for (n,), _ in powers)
     if any((n - lowest) % 2 for (n,), _ in powers):
-        raise InvalidInput(f"the characteristic polynomial must be even in {exponent} but for a power of it; got "
-                           f"{shown(str(characteristic))}.")
+        check.refuse("the characteristic polynomial", f"even in {exponent} but for a power of it", str(characteristic))
     even = sympy.Add(*(c * u ** ((n - lowest) // 2) for (n,), c in powers))
     cases = []
     for factor, _ in sympy.factor_list(even)[1]:

@@ -106,9 +106,7 @@ class EulerDisk(AbstractSystem):
             )
         laws = (dissipation,) if isinstance(dissipation, RollingDissipation) else tuple(dissipation)
         if not all(isinstance(law, RollingDissipation) for law in laws):
-            raise InvalidInput(
-                f"`dissipation` must be laws such as polhode.rolling.AirLayer(1.8e-5); got {shown(dissipation)}."
-            )
+            check.refuse("dissipation", "laws such as polhode.rolling.AirLayer(1.8e-5)", dissipation)
         self.mechanics = RollingMechanics(*(jnp.asarray(np.float64(x)) for x in (m, a, 0.5 * h, A, C, g)))
         self.dissipation = laws
         self.legendre = _as_jax(legendre_function(m * a * a * C / (A * (C + m * a * a)))) if h == 0.0 else None

@@ -12,6 +12,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
+from polhode._base import check
 from polhode._base.arrays import compiled_for_few_calls, is_traced, known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.motion._axes import Turn
@@ -384,10 +385,9 @@ def _one_each(name: str, values: Any, things: str, count: int) -> list[Array | N
     if values is None:
         return [None] * count
     if not isinstance(values, Sequence | np.ndarray) or len(values) != count:
-        raise InvalidInput(
-            f"`{name}` must be a list with one entry for each of the {count} {things}, None where there is nothing to "
-            f"say; got {shown(values)}."
-        )
+        check.refuse(name,
+                     f"a list with one entry for each of the {count} {things}, None where there is nothing to say",
+                     values)
     require_doubles(**{f"{name}[{k}]": value for k, value in enumerate(values)})
     return list(values)
 

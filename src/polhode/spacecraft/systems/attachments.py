@@ -10,6 +10,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import in_jax_numpy, is_traced, require_doubles
 from polhode._base.arrays.traced_checks import check_traced
 from polhode.errors import InvalidInput, PolhodeError, shown
@@ -166,10 +167,8 @@ def checked_attachments(
     attachments = []
     for k, attachment in enumerate(value):
         if not isinstance(attachment, kinds):
-            raise InvalidInput(
-                f"`{name}` must be a list of polhode.systems.{name}; got {shown(attachment)}. "
-                f"Derive your own from {' or '.join(kind.__name__ for kind in kinds)}."
-            )
+            check.refuse(name, f"a list of polhode.systems.{name}", attachment,
+                         f"Derive your own from {' or '.join(kind.__name__ for kind in kinds)}.")
         attachments.append(attachment.bound(frame))
         form = _form(attachments[-1], trial)
         if form is None or form not in _right:

@@ -304,14 +304,10 @@ class UserLaw(AbstractControlLaw):
     ) -> None:
         for name, function in (("command", command), ("state_rate", state_rate)):
             if not callable(function) and not (name == "state_rate" and function is None):
-                raise InvalidInput(
-                    f"`{name}` must be a function (t, attitude, angular_velocity, own); got {shown(function)}."
-                )
+                check.refuse(name, "a function (t, attitude, angular_velocity, own)", function)
         if type(state_size) is not int or state_size < 0 or (state_size > 0) != (state_rate is not None):
-            raise InvalidInput(
-                f"`state_size` must be how many numbers the own state has, with `state_rate` to say how they change; "
-                f"got {shown(state_size)}."
-            )
+            check.refuse("state_size", "how many numbers the own state has, with `state_rate` to say how they change",
+                         state_size)
         self.command, self.own_rate, self.size = command, state_rate, state_size
         self.jump_times = checked_jumps(jumps)
 
@@ -360,8 +356,6 @@ def checked_gain(name: str, value: Real[ArrayLike, "..."], unit: str) -> Float64
         raise InvalidInput(f"`{name}` must be one, three or (3, 3) finite numbers [{unit}]; got {shown(value)}.")
     symmetric = np.abs(gain - gain.T).max() <= LIMITS.relative_asymmetry * np.abs(gain).max()
     if not symmetric or not np.linalg.eigvalsh(gain).min() > 0:
-        raise InvalidInput(
-            f"`{name}` must be positive [{unit}], as a matrix symmetric and positive definite; got {shown(value)}. A "
-            "gain of the wrong sign drives the body away."
-        )
+        check.refuse(name, f"positive [{unit}], as a matrix symmetric and positive definite", value,
+                     "A gain of the wrong sign drives the body away.")
     return jnp.asarray(gain)

@@ -9,8 +9,8 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
-from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.spacecraft.systems.attachments import Argument, Attitude, Time, Velocity
 from polhode.spacecraft.systems.moving_parts import AbstractMovingPart, Coordinates
@@ -164,7 +164,5 @@ class SprungMass(AbstractMovingPart):
 def _checked_axes(directions: Real[ArrayLike, "..."]) -> Float64[Array, "n 3"]:
     rows = checked_directions("directions", [directions] if np.ndim(directions) == 1 else directions)
     if len(rows) > 3 or np.abs(rows @ rows.T - np.eye(len(rows))).max() > LIMITS.max_cosine:
-        raise InvalidInput(
-            f"`directions` must be one to three that are perpendicular to each other; got {shown(directions)}."
-        )
+        check.refuse("directions", "one to three that are perpendicular to each other", directions)
     return rows

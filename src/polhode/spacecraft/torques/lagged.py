@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from polhode._base import check
 from polhode._base.arrays import known_numbers_only
-from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StatePart
 from polhode.spacecraft.systems.attachments import Attitude, Own, Time, Velocity, checked_jumps
 from polhode.spacecraft.torques.base import NEEDED, AbstractTorque
@@ -42,10 +42,8 @@ class LaggedTorque(AbstractTorque):
         self, command: Command, time_constant: float, jumps: Real[ArrayLike, "jumps"] = ()
     ) -> None:
         if not callable(command):
-            raise InvalidInput(
-                f"`command` must be a function (t, attitude, angular_velocity) that gives a torque (…, 3) [N m]; "
-                f"got {shown(command)}. For a constant one write `lambda t, attitude, velocity: 0 * velocity + torque`."
-            )
+            check.refuse("command", "a function (t, attitude, angular_velocity) that gives a torque (…, 3) [N m]",
+                         command, "For a constant one write `lambda t, attitude, velocity: 0 * velocity + torque`.")
         self.command, self.time_constant = command, checked_number("time_constant", time_constant, 0.0, unit="s")
         self.jump_times = checked_jumps(jumps)
 
