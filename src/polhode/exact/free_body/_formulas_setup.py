@@ -29,10 +29,10 @@ from polhode.exact._kernel_arithmetic import (
     where,
     whole,
 )
+from polhode.exact.free_body._formulas import Ten
 from polhode.special._doubledouble import INVERSE_TWO_PI, PI
 
 Three = tuple[float, float, float]
-Ten = tuple[float, float, float, float, float, float, float, float, float, float]
 
 
 def invariants(moments: Three, momentum: Three) -> tuple[Pair, Pair, Pair, Pair, Pair, Pair]:

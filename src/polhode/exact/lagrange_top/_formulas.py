@@ -32,6 +32,7 @@ FIRST, THIRD, START, A_SUM, B_SUM, CONSTANT, NOME, SIGNS, RATES, PHASES, AXIAL, 
 )
 """Rows of numbers of a ``Motion`` in a store."""
 Four = tuple[float, float, float, float]
+Six = tuple[Any, Any, Any, Any, Any, Any]
 State = tuple[float, float, float, float, float, float, float]
 Sums = tuple[float, float, float, float, float, float, float, float, float, float]
 """A, B and their derivatives by z or x', real and imaginary parts, and the phases that these leave, in turns."""
@@ -53,7 +54,7 @@ class Motion(NamedTuple):
     b_sum: Four  # full: as of A; complementary: factors of cos ky, k = 2, 4, 6, 8
     b_gap: Four  # full: as of A; complementary: factors of sin ky
     constant: Any  # complementary: the constant term of B
-    nome: Any  # complementary: q, πK/K' in halves, y_a/π, y_b/π, whether periodic
+    nome: Six  # complementary: q, πK/K' in halves, y_a/π, y_b/π, whether periodic
     signs: Pair  # of c' and c
     rates: tuple[Any, Any]  # of w: twice dz/dt or dx'/dt, twice the sum of the linear rates [momentum]
     phases: Four  # cos, sin of the constant phases of α and β
