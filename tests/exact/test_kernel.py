@@ -174,7 +174,7 @@ def test_what_python_cannot_divide_goes_elsewhere(monkeypatch):
     monkeypatch.setattr(FORM, "_python", right._replace(state_at=broken))
     found = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).state(2.0)
     assert (found[0] == wanted[0]).all() and (found[1] == wanted[1]).all()
-    monkeypatch.setattr(FORM, "_python", right._replace(set_up=broken))
+    monkeypatch.setattr(FORM, "_python", right._replace(set_up_one=broken))
     found = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).state(2.0)
     assert np.abs(np.concatenate(found) - np.concatenate(wanted)).max() < 1e-15
 

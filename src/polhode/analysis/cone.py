@@ -17,7 +17,7 @@ from polhode._base.arrays import known_numbers_only
 from polhode.analysis.poinsot import herpolhode
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.free_body._geometry import REGIMES
-from polhode.exact.free_body._reduction import canonical_reduction
+from polhode.exact.free_body._preparation import canonical_reduction
 from polhode.types import Array, Float64, Shaped
 
 RIGHT = 0.5 * math.pi

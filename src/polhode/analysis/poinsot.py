@@ -14,7 +14,7 @@ import numpy as np
 from polhode import rotation
 from polhode._base.arrays import as_float64, known_numbers_only, namespace
 from polhode.exact.free_body import FreeMotion
-from polhode.exact.free_body._reduction import canonical_reduction
+from polhode.exact.free_body._preparation import canonical_reduction
 from polhode.types import Array, ArrayLike, Float64, Real
 
 

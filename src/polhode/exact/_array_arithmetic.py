@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from types import ModuleType, SimpleNamespace
 from typing import Any
 
-from polhode._base.arrays import namespace, nearest, split_halves
+from polhode._base import arrays
+from polhode._base.arrays import is_jax, namespace, nearest, split_halves
 from polhode._base.compiled.copying import copy_modules
 from polhode.exact import _formulas as formulas
 from polhode.exact import _kernel_arithmetic as kernel_arithmetic
@@ -16,7 +17,7 @@ from polhode.types import Array
 
 
 def for_arrays(*modules: ModuleType, **replaced: Callable[..., Any]) -> Any:
-    """Return the last module's names, with functions of arrays.
+    """Return the names of modules, with functions of arrays.
 
     Args:
         modules: of formulas, with those they need; these of both motions come by themselves.
@@ -24,7 +25,7 @@ def for_arrays(*modules: ModuleType, **replaced: Callable[..., Any]) -> Any:
     """
     parts = kernel_arithmetic, formulas, *modules
     spaces = copy_modules(parts, lambda function, _: function, FOR_ARRAYS | replaced)
-    return SimpleNamespace(**spaces[modules[-1].__name__])
+    return SimpleNamespace(**{name: x for module in modules for name, x in spaces[module.__name__].items()})
 
 
 def _where(condition: Array, x: Array, y: Array) -> Array:
@@ -33,6 +34,62 @@ def _where(condition: Array, x: Array, y: Array) -> Array:
 
 def _larger(x: Array, y: Array) -> Array:
     return namespace(x, y).maximum(x, y)
+
+
+def _smaller(x: Array, y: Array) -> Array:
+    return namespace(x, y).minimum(x, y)
+
+
+def _binary_exponent(x: Array) -> Array:
+    xp = namespace(x)
+    return xp.frexp(x)[1].astype(xp.float64)
+
+
+def _times_power(x: Array, n: Array) -> Array:
+    xp = namespace(x, n)
+    return xp.ldexp(xp.asarray(x, dtype=xp.float64), xp.asarray(n).astype(xp.int32))
+
+
+def _flat(values: Any) -> tuple[Any, ...]:
+    return tuple(x for part in values for x in _flat(part)) if isinstance(values, tuple) else (values,)
+
+
+def _shaped(numbers: Iterator[Any], like: Any) -> Any:
+    """Return the next numbers as a nest of tuples and records like another."""
+    if not isinstance(like, tuple):
+        return next(numbers)
+    parts = [_shaped(numbers, part) for part in like]
+    return type(like)(*parts) if hasattr(like, "_fields") else tuple(parts)
+
+
+def _choose(condition: Array, when_true: Callable[[Any], Any], when_false: Callable[[Any], Any], values: Any) -> Any:
+    shape: list[Any] = []
+
+    def flat(function: Callable[[Any], Any]) -> Callable[..., tuple[Any, ...]]:
+        def computed(*numbers: Array) -> tuple[Any, ...]:
+            shape[:] = [function(_shaped(iter(numbers), values))]
+            return _flat(shape[0])
+
+        return computed
+
+    chosen = arrays.choose(condition, flat(when_true), flat(when_false), *_flat(values))
+    return _shaped(iter(chosen), shape[0])
+
+
+def _iterate(count: int, step: Callable[[Any], Any], state: Any) -> Any:
+    return arrays.iterate(count, step, state, like=next((x for x in _flat(state) if is_jax(x)), None))
+
+
+def _iterate_until(
+    step: Callable[[Any], Any], finished: Callable[[Any], Array], state: Any, at_once: int, most: int
+) -> Any:
+    flat_step = lambda *numbers: _flat(step(_shaped(iter(numbers), state)))  # noqa: E731
+    flat_finished = lambda *numbers: finished(_shaped(iter(numbers), state))  # noqa: E731
+    return _shaped(iter(arrays.iterate_until(flat_step, flat_finished, _flat(state), at_once, most)), state)
+
+
+def _of(name: str) -> Callable[..., Array]:
+    return lambda *operands: getattr(namespace(*operands), name)(*operands)
 
 
 def _constant(value: dd.DoubleDouble, like: Array) -> dd.DoubleDouble:
@@ -47,6 +104,9 @@ FOR_ARRAYS: dict[str, Any] = {
     "constant": _constant, "two_square": dd.two_square, "halves": split_halves,
     "where": _where, "larger": _larger, "nearest": nearest, "whole": nearest, "phase": circular.reduced_phase,
     "sine_cosine": circular.sine_cosine_turns,
-    "square_root": lambda x: namespace(x).sqrt(x), "exponential": lambda x: namespace(x).exp(x),
-    "floor": lambda x: namespace(x).floor(x),
+    "square_root": _of("sqrt"), "exponential": _of("exp"), "floor": _of("floor"), "arctangent": _of("atan"),
+    "angle_of": _of("atan2"), "logarithm": _of("log"), "hyperbolic_sine": _of("sinh"), "area_of_sine": _of("asinh"),
+    "smaller": _smaller, "negation": lambda condition: ~condition,
+    "binary_exponent": _binary_exponent, "times_power": _times_power,
+    "choose": _choose, "iterate": _iterate, "iterate_until": _iterate_until,
 }  # fmt: skip

@@ -36,7 +36,7 @@ class ArrayStates:
         return self._sums(flat, zero, zero, zero)
 
     def _sums(self, flat: Columns, *time: Array) -> Sums:
-        return choose(flat[0], self._full, self._complementary, *flat[: self._summed], *time)
+        return choose(flat[0] != 0.0, self._full, self._complementary, *flat[: self._summed], *time)
 
     def _full(self, *columns: Array) -> Sums:
         return self._formulas.full_sums(self._formulas.unflatten((*columns[:-3], *self._idle)), columns[-3:])

@@ -19,7 +19,7 @@ from polhode._base.compiled.copying import Space
 from polhode._base.compiled.kernel_modules import KernelModules, can_compile, is_worth
 from polhode._base.compiled.threads import in_threads
 from polhode.exact import _kernel_loops as kernel_loops
-from polhode.exact._blocks import Columns, Vectors, columns_in_blocks
+from polhode.exact._blocks import Columns, Vectors, columns_in_blocks, flatten_motion
 from polhode.types import Array, Float64
 
 COMMON = tuple(f"polhode.exact.{name}" for name in ("_kernel_arithmetic", "_kernel_agm", "_formulas", "_kernel_loops"))
@@ -49,6 +49,7 @@ class Kernels(NamedTuple):
     states_of_one: Callable[..., None]
     states_of_many: Callable[..., None]
     set_up: Callable[..., None]
+    set_up_one: Callable[..., Any]
 
 
 class ClosedForm:
@@ -82,7 +83,8 @@ class ClosedForm:
 
     def _kernels(self, spaces: dict[str, Space]) -> Kernels:
         setup, loops = spaces[f"{self._package}._kernel_setup"], spaces[kernel_loops.__name__]
-        return Kernels(**{name: loops[name] for name in Kernels._fields[:4]}, set_up=setup["set_up"])
+        return Kernels(**{name: loops[name] for name in Kernels._fields[:4]}, set_up=setup["set_up"],
+                       set_up_one=setup["set_up_one"])
 
     def _constant(self, module: str, name: str) -> int:
         return getattr(importlib.import_module(f"{self._package}.{module}"), name)
@@ -127,12 +129,12 @@ class ClosedForm:
         in_threads(fill, len(left), self._constant("_kernel_setup", "WORTH"))
 
     def _set_up_one(self, inputs: list[Array], k: int, columns: Array, left: Array) -> None:
-        outputs, is_left = [[0.0] for _ in range(len(columns))], [True]
         try:
-            self._python.set_up(*([v.tolist()] for v in inputs), outputs, is_left, 0)
+            motion = self._python.set_up_one(*(tuple(v.tolist()) for v in inputs))
         except (ArithmeticError, ValueError):  # beyond doubles, which Numba's kernel leaves to NumPy too
             return
-        columns[:, k], left[k] = [x for (x,) in outputs], is_left[0]
+        if motion is not None:
+            columns[:, k], left[k] = flatten_motion(motion), False
 
     # ------------------------------------------------------------------ states
 

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import inspect
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
-from llvmlite.ir import Constant
+from llvmlite.ir import Constant, DoubleType
 from numba.core.cgutils import unpack_tuple
-from numba.core.types import UniTuple, float64, int64, none
+from numba.core.types import BaseTuple, Boolean, UniTuple, boolean, float64, int64, none
 from numba.extending import intrinsic
 from numba.np.arrayobj import make_array
 
 from polhode._base.compiled.compiling import compile_part
-from polhode.exact._kernel_arithmetic import BLOCK
+from polhode.exact._kernel_arithmetic import BLOCK, ROUNDING
+from polhode.exact._kernel_records import leaves
+
+TUPLES: Any = BaseTuple  # whose types do not know that it has parts
 
 
 def _instruction(function: Callable[..., Any]) -> Any:
@@ -57,14 +60,51 @@ def _record(context: Any, rows: Any, i: Any, count: Any) -> Any:
 
 
 @intrinsic
+def _load(context: Any, rows: Any, i: Any, kind: Any) -> Any:
+    result = _type_of(leaves(kind.instance_class), kind.instance_class)
+
+    def read(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+        waiting = iter(_places(context, builder, rows, values, _count(result)))
+        return _loaded(context, builder, result, waiting)
+
+    return result(rows, i, kind), read
+
+
+def _type_of(part: Any, kind: type | None) -> Any:
+    if isinstance(part, tuple):
+        return BaseTuple.from_types(tuple(_type_of(*inner) for inner in part), kind)
+    return boolean if part is bool else float64
+
+
+def _count(kind: Any) -> int:
+    return sum(map(_count, kind)) if isinstance(kind, TUPLES) else 1
+
+
+def _loaded(context: Any, builder: Any, kind: Any, places: Iterator[Any]) -> Any:
+    if isinstance(kind, TUPLES):
+        return context.make_tuple(builder, kind, [_loaded(context, builder, part, places) for part in kind])
+    number = builder.load(next(places))
+    return builder.fcmp_unordered("!=", number, Constant(number.type, 0.0)) if isinstance(kind, Boolean) else number
+
+
+@intrinsic
 def _put_record(context: Any, rows: Any, i: Any, values: Any) -> Any:
     def write(context: Any, builder: Any, _: Any, operands: Any) -> Any:
-        places = _places(context, builder, rows, operands, len(values))
-        for place, value in zip(places, unpack_tuple(builder, operands[2]), strict=True):
+        places = _places(context, builder, rows, operands, _count(values))
+        for place, value in zip(places, _flat(builder, values, operands[2]), strict=True):
             builder.store(value, place)
         return context.get_dummy_value()
 
     return none(rows, i, values), write
+
+
+def _flat(builder: Any, kind: Any, value: Any) -> Iterator[Any]:
+    """Yield the numbers of a record, and 1 and 0 for what holds and what does not."""
+    if isinstance(kind, TUPLES):
+        for part, inner in zip(kind, unpack_tuple(builder, value), strict=True):
+            yield from _flat(builder, part, inner)
+    else:
+        yield builder.uitofp(value, DoubleType()) if isinstance(kind, Boolean) else value
 
 
 def _places(context: Any, builder: Any, rows: Any, values: Any, count: int) -> list[Any]:
@@ -74,10 +114,22 @@ def _places(context: Any, builder: Any, rows: Any, values: Any, count: int) -> l
     return [builder.gep(data, [step], inbounds=True) for step in steps]
 
 
+def _binary_exponent(x: Any) -> Any:
+    # the exponent's bits become the last of 2⁵² + e, without instructions that not all processors have for vectors
+    return _of_bits(((_bits_of(x) >> 52) & 2047) | LAST_PLACES) - (2.0**52 + 1022.0)
+
+
+def _times_power(x: Any, n: Any) -> Any:
+    return x * _of_bits(_bits_of((n + 1023.0) + ROUNDING) << 52)
+
+
 two_product = compile_part(inspect.unwrap(_two_product))
+LAST_PLACES = 0x433 << 52  # bits of 2⁵², in which a unit is the last place
 FOR_NUMBA: dict[str, Any] = {
     "two_product": two_product, "bits_of": _bits_of, "of_bits": _of_bits,
-    "record": _record, "put_record": _put_record,
+    "record": _record, "put_record": _put_record, "load": _load,
+    "binary_exponent": compile_part(inspect.unwrap(_binary_exponent)),
+    "times_power": compile_part(inspect.unwrap(_times_power)),
     "square_root": compile_part(lambda x: np.sqrt(x)), "exponential": compile_part(lambda x: math.exp(x)),
     "floor": compile_part(lambda x: np.floor(x)), "nearest": compile_part(lambda x: np.rint(x)),
     "room": compile_part(lambda count: np.zeros(count)), "flags": compile_part(lambda count: np.empty(count, np.bool_)),

@@ -1,7 +1,22 @@
-"""Formulas of both motions, each written once, over the functions of ``kernel_arithmetic``.
+"""Formulas of both motions, each written once, over the functions of ``kernel_arithmetic``: the *words*.
 
 Python runs them with single numbers. Copies are made for Numba, with ``compiled_arithmetic``, and for arrays of NumPy
-or JAX, with ``array_arithmetic``. So they consist of arithmetic and functions: what depends on a number is a ``where``.
+or JAX, with ``array_arithmetic``; other languages are printed from them. So they are written in a small language, which
+is that of all files named ``_formulas``:
+
+* A value is a double, whether something holds, or a tuple of values. Records are classes of ``NamedTuple`` with
+  annotated fields, made by place and never changed; double-double numbers are pairs (high, low).
+* A function consists of assignments to names, also by taking a tuple apart, and of one ``return``. A name may be
+  assigned again, to a value of the same kind.
+* Expressions are names, numbers, constants of modules, ``math.pi``, ``+ - * /``, unary ``-``, ``abs``, comparisons of
+  two values, ``&`` and ``|`` of what holds, fields, indices and slices by whole numbers, tuples, and calls by place of
+  words, formulas and records.
+* What depends on a number is a ``where`` of doubles or a ``choice`` of pairs, both sides of which are evaluated, or
+  ``choose(condition, f, g, values)``, which evaluates one function of the values where it can. Loops are
+  ``iterate(count, step, state)`` and ``iterate_until(step, finished, state, at_once, most)``. Functions are named in
+  calls of these three alone.
+* Where nothing depends on the order of evaluation, none is meant; sums and products are rounded as their parentheses
+  say, and never contracted.
 """
 
 from __future__ import annotations
@@ -11,22 +26,28 @@ from polhode.exact._kernel_arithmetic import (
     Rate,
     Time,
     add,
+    binary_exponent,
+    constant,
     divide,
     fast_two_sum,
     halves,
+    iterate_until,
     multiply,
     nearest,
     phase,
     root,
     scale,
+    smaller,
     square,
     square_root,
     subtract,
+    times_power,
     two_sum,
 )
 
 CONVERGED = 2e-8  # the closing formulas of the mean leave an error of the fourth power
 MOST_STEPS = 20
+AT_ONCE = 3  # steps of all, before the first is looked at
 
 
 def exponent(x: float, rest: float, upper: float, lower: float) -> Pair:
@@ -94,3 +115,44 @@ def mean_closed(x: float, e: float, middle: Pair, q: float, total: Pair) -> tupl
     rest = last + last * (0.25 * (e * e - 0.5 * x * x))
     # agm(1 + x, 1 − x) = 1 − x²/4 + O(x⁴)
     return add(middle, (-0.25 * middle[0] * x * x, 0.0)), add(total, (rest, 0.0))
+
+
+# ---------------------------------------------------------------------- the mean, from its start to its end
+
+Mean = tuple[Pair, Pair, Pair, Pair, Pair]  # a, g, p², Q and the sum of all Q
+
+
+def mean_start(a: Pair, g: Pair, pp: Pair) -> tuple[Mean, float]:
+    """Return where the mean of positive a and g begins, with the sum that starts from p², and the exponent taken out.
+
+    Rates go down to 1e-150, whose fourth powers would underflow. Scaled down, a tiny g would.
+    """
+    exponent = smaller(binary_exponent(a[0]), 0.0 * a[0])
+    up = times_power(1.0, -exponent)
+    one = constant((1.0, 0.0), a[0])
+    return (scale(a, up), scale(g, up), scale(scale(pp, up), up), one, one), exponent
+
+
+def mean_next(state: Mean) -> Mean:
+    """Return the mean after a step."""
+    a, g, pp, q, total = state
+    return mean_step(a, g, pp, q, total)
+
+
+def mean_converged(state: Mean) -> bool:
+    """Return whether the closing formulas are exact."""
+    x, e, _ = mean_distance(state[0], state[1], state[2])
+    return (abs(x) < CONVERGED) & (abs(e) < CONVERGED)
+
+
+def mean_end(state: Mean) -> tuple[Pair, Pair]:
+    """Return mean and sum, of which the first lacks the exponent taken out."""
+    x, e, middle = mean_distance(state[0], state[1], state[2])
+    return mean_closed(x, e, middle, state[3][0], state[4])
+
+
+def third_kind_mean(a: Pair, g: Pair, pp: Pair) -> tuple[Pair, Pair]:
+    """Return agm(a, g) of positive numbers, and the sum that starts from p² = pp."""
+    state, exponent = mean_start(a, g, pp)
+    mean, total = mean_end(iterate_until(mean_next, mean_converged, state, AT_ONCE, MOST_STEPS))
+    return scale(mean, times_power(1.0, exponent)), total

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from polhode._base.compiled.copying import called
-from polhode.exact._formulas import CONVERGED, MOST_STEPS, mean_closed, mean_distance, mean_step
+from polhode.exact._formulas import AT_ONCE, CONVERGED, MOST_STEPS, mean_closed, mean_distance, mean_step
 from polhode.exact._kernel_arithmetic import (
     BLOCK,
     Pair,
@@ -17,7 +17,6 @@ from polhode.exact._kernel_arithmetic import (
 # state of the mean, what closes it, and whether it may end; all but the last are pairs of rows
 AA, BB, PP, QQ, TT, CLOSED, TOTAL, DONE = range(0, 16 * BLOCK, 2 * BLOCK)
 STATE, STEPS = 10, 15  # rows
-AT_ONCE = 3  # steps of all bodies, before the first is looked at
 
 
 def start_mean(s: Any, i: int, a: Pair, g: Pair, pp: Pair) -> None:

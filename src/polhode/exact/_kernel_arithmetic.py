@@ -10,7 +10,8 @@ from __future__ import annotations
 import math
 import struct
 from array import array
-from typing import Any
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
@@ -21,9 +22,14 @@ _S = [(-1) ** n * (2.0 * np.pi) ** (2 * n + 1) / float(np.prod(np.arange(1.0, 2 
 _C = [(-1) ** n * (2.0 * np.pi) ** (2 * n) / float(np.prod(np.arange(1.0, 2 * n + 1))) for n in range(10)]
 S0, S1, S2, S3, S4, S5, S6, S7, S8 = _S
 C0, C1, C2, C3, C4, C5, C6, C7, C8, C9 = _C
-Pair = tuple[float, float]
-Rate = tuple[float, float, float]  # in halves, and what they leave of it
-Time = tuple[float, float, float]  # likewise: the halves of a double, and what is left where t − epoch is none
+if TYPE_CHECKING:  # in copies for arrays they are arrays
+    Number: TypeAlias = Any
+    Truth: TypeAlias = Any
+else:
+    Number, Truth = float, bool
+Pair = tuple[Number, Number]
+Rate = tuple[Number, Number, Number]  # in halves, and what they leave of it
+Time = tuple[Number, Number, Number]  # likewise: the halves of a double, and what is left where t − epoch is none
 
 
 # ---------------------------------------------------------------------- what ``compiled_arithmetic`` has in other forms
@@ -70,6 +76,72 @@ def where(condition: bool, x: float, y: float) -> float:
 
 def larger(x: float, y: float) -> float:
     return x if x > y else y
+
+
+def smaller(x: float, y: float) -> float:
+    return x if x < y else y
+
+
+def negation(condition: bool) -> bool:
+    return not condition
+
+
+def binary_exponent(x: float) -> float:
+    """Return e, a whole number, with ½ ≤ |x|/2^e < 1, and 0 for x = 0."""
+    return float(math.frexp(x)[1])
+
+
+def times_power(x: float, n: float) -> float:
+    """Return 2ⁿ x, for a whole number n."""
+    return math.ldexp(x, int(n))
+
+
+def arctangent(x: float) -> float:
+    return math.atan(x)
+
+
+def angle_of(y: float, x: float) -> float:
+    """Return the angle of the point (x, y), between −π and π."""
+    return math.atan2(y, x)
+
+
+def logarithm(x: float) -> float:
+    return math.log(x)
+
+
+def hyperbolic_sine(x: float) -> float:
+    return math.sinh(x)
+
+
+def area_of_sine(x: float) -> float:
+    """Return the number whose hyperbolic sine is x."""
+    return math.asinh(x)
+
+
+# ---------------------------------------------------------------------- one of two ways, and again
+
+
+def choose(condition: bool, when_true: Callable[[Any], Any], when_false: Callable[[Any], Any], values: Any) -> Any:
+    """Return one of two functions of values; the other is not evaluated where that can be avoided."""
+    return when_true(values) if condition else when_false(values)
+
+
+def iterate(count: int, step: Callable[[Any], Any], state: Any) -> Any:
+    """Apply a function so often."""
+    for _ in range(count):
+        state = step(state)
+    return state
+
+
+def iterate_until(
+    step: Callable[[Any], Any], finished: Callable[[Any], bool], state: Any, at_once: int, most: int
+) -> Any:
+    """Apply a function so often, and then until the other holds, but not more than ``most`` times in all."""
+    for k in range(most):
+        if k >= at_once and finished(state):
+            return state
+        state = step(state)
+    return state
 
 
 def room(count: int) -> Any:
@@ -204,7 +276,7 @@ def root_or_zero(x: Pair) -> Pair:
 # ---------------------------------------------------------------------- stores
 
 
-def record(rows: Any, i: int, count: int) -> tuple[float, ...]:
+def record(rows: Any, i: int, count: int) -> Any:
     """Return the numbers that stand BLOCK apart, in rows of a store that follow.
 
     One array holds all rows, so that LLVM knows which are apart and turns loops over them into vector instructions.
@@ -212,11 +284,15 @@ def record(rows: Any, i: int, count: int) -> tuple[float, ...]:
     return tuple(rows[i : i + count * BLOCK : BLOCK])
 
 
-def put_record(rows: Any, i: int, values: tuple[float, ...]) -> None:
+def put_record(rows: Any, i: int, values: tuple[Any, ...]) -> None:
     """Store numbers, as ``record`` returns them."""
     for x in values:
         rows[i] = x
         i += BLOCK
+
+
+def load(rows: Any, i: int, kind: type) -> Any:
+    """Return the record of formulas whose numbers stand in rows, as ``put_record`` stores it: compiled code alone."""
 
 
 def pair(w: Any, k: int) -> Pair:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from polhode import rotation
 from polhode._base.arrays import namespace
-from polhode.exact.free_body._preparation import prepare
-from polhode.exact.free_body._reduction import as_sorted, from_sorted
+from polhode.exact.free_body._preparation import as_sorted, from_sorted, prepare
 from polhode.exact.free_body._tangent import momentum_tangent, sorted_sizes
 from polhode.rotation import cross_of_parts
 from polhode.types import Array, Float64

@@ -65,7 +65,7 @@ def motion_at(rows: Any, i: int) -> Motion:
 
 def sums_at(rows: Any, i: int) -> Spinor:
     """Return the spinor in rows."""
-    return record(rows, i, SUMS)  # type: ignore[return-value]
+    return record(rows, i, SUMS)
 
 
 def full_sums(m: Motion, time: Time) -> Spinor:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from polhode._base.arrays import namespace
-from polhode.exact.free_body._frequencies import Frequencies, canonical_frequencies
-from polhode.exact.free_body._reduction import Reduction, canonical_reduction
+from polhode.exact.free_body._formulas_rates import Frequencies
+from polhode.exact.free_body._formulas_reduction import Reduction
+from polhode.exact.free_body._preparation import FORMULAS, canonical_reduction
 from polhode.special import _doubledouble as dd
 from polhode.special._doubledouble import DoubleDouble
 from polhode.types import Array, Float64, Integer
@@ -39,7 +40,7 @@ def characteristics(moments: Float64[Array, "*batch 3"], momentum: Float64[Array
     """
     xp = namespace(moments, momentum)
     body = canonical_reduction(moments, momentum)
-    rates = canonical_frequencies(body)
+    rates = FORMULAS.frequencies(body)
     none = rates.constant | rates.separatrix
     regime = _regime(moments, momentum, body, rates)
     undefined = xp.where(rates.separatrix, math.inf, math.nan)
@@ -54,22 +55,15 @@ def characteristics(moments: Float64[Array, "*batch 3"], momentum: Float64[Array
     period = dd.divide(dd.multiply(scaled_period, body.V), (body.rate_scale, 0.0 * body.rate_scale))
     # k² = AP/(BQ)
     modulus = xp.sqrt(body.A[0] / body.B[0]) * (body.root_P / xp.sqrt(body.Q[0]))
-    axis = _third_axis(xp, body)
     return Characteristics(
         regime=regime,
-        encircled_axis=xp.where(none, -1, axis),
+        encircled_axis=xp.where(none, -1, xp.asarray(body.order[2], dtype=int)),
         modulus=xp.where(none, xp.where(rates.separatrix, 1.0, math.nan), modulus),
         period=xp.where(none, undefined, period[0]),
         precession_rate=xp.where(has_rate, sense * rate[0], math.nan),
         precession_per_period=xp.where(none, undefined, sense * per_period[0]),
         solid_angle=xp.where(none, math.nan, solid_angle),
     )
-
-
-def _third_axis(xp: Any, body: Reduction) -> Array:
-    """Return which given axis is the third canonical one."""
-    columns = [xp.abs(row[2]) for row in body.axes]
-    return xp.where(columns[0] > 0, 0, xp.where(columns[1] > 0, 1, 2))
 
 
 def _solid_angle(

@@ -1,145 +1,245 @@
 """The set-up of many bodies, from moments to the columns of ``formulas.Motion``, compiled by Numba.
 
-The steps of ``formulas_setup`` in blocks of bodies and in loops that LLVM turns into vector instructions. Bodies are
-sorted on the way: those that take the full form first, then those that take the complementary one.
+The steps of ``formulas_setup`` in blocks of bodies and in loops that LLVM turns into vector instructions: none has a
+branch or calls a function of the C library, but those that do nothing else. Bodies are sorted on the way: those that
+take the full form first, then those that take the complementary one. Those without a period (at rest, spherical,
+permanent rotation, on the separatrix), and those with numbers farther apart than ``RANGE`` and ``SPREAD``, are left to
+NumPy: they need what only few need.
 """
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from polhode._base.compiled.copying import called, entry
-from polhode.exact._formulas import nome_per_parameter
-from polhode.exact._kernel_agm import STEPS
+from polhode.exact._formulas import mean_start
+from polhode.exact._kernel_agm import AA, STEPS, third_kind
 from polhode.exact._kernel_arithmetic import (
     BLOCK,
-    divide,
-    fast_two_sum,
-    halves,
+    Pair,
+    flags,
+    load,
     pair,
     places,
     put,
     put_record,
+    record,
     room,
     scale,
-    square_root,
+    times_power,
 )
 from polhode.exact._kernel_loops import SUMS, WORK, sums_of_many
-from polhode.exact.free_body import _kernel_store as at
-from polhode.exact.free_body._formulas import COLUMNS, NOME, SERIES, START, TO_ATTITUDE, TO_MOMENTUM, Y_TURNS, sums_at
-from polhode.exact.free_body._formulas_setup import (
-    complementary_amplitudes,
-    full_arguments,
-    half_period,
-    harmonics,
-    landen,
+from polhode.exact._kernel_records import rows_of
+from polhode.exact.free_body._formulas import COLUMNS, FIRST, START, TO_ATTITUDE, Motion, sums_at
+from polhode.exact.free_body._formulas_rates import (
+    Frequencies,
+    Start,
+    frequencies,
+    frequencies_of,
+    phase_rates,
+    start_of,
 )
-from polhode.exact.free_body._kernel_rates import rates
-from polhode.exact.free_body._kernel_reduction import begin
-from polhode.exact.free_body._kernel_store import ROWS
+from polhode.exact.free_body._formulas_reduction import (
+    Four,
+    Reduction,
+    Scaled,
+    Sums,
+    Three,
+    exact_distance,
+    plain_distance,
+    reduced,
+    reduction,
+    scaled,
+    sums_of,
+    terms_of_distance,
+)
+from polhode.exact.free_body._formulas_setup import (
+    Amplitude,
+    Angles,
+    Given,
+    amplitude,
+    angles,
+    complementary_arguments,
+    full_amplitude,
+    full_arguments,
+    full_start,
+    is_full,
+    matrices,
+    motion_of,
+)
 
 WORTH = 2_000  # bodies for which a thread is worth its start
+RANGE = 1e-120, 1e120  # of the largest moment and component of momentum
+SPREAD = 2.0**-60  # of the moments, and of the components of momentum that are not zero: nothing underflows
+# rows of what stores keep of a block of bodies, in the order given, and then sorted by the form that they take
+BODY, SCALED, SUMMED, DISTANCE, NEAR, ALL = rows_of(Reduction, Scaled, Sums, Pair, tuple[float])
+KEPT = SCALED // BLOCK
+_, BEGUN, MEAN, TOTAL, EXPONENT, RATES, AT, ANGLES, ATTITUDE, ROWS = rows_of(
+    Reduction, Start, Pair, Pair, tuple[float], Frequencies, Amplitude, Angles, Four
+)
+
+
+# ---------------------------------------------------------------------- which bodies the kernels take, and one of them
+
+
+def _is_within(moments: Three, momentum: Three) -> bool:
+    """Return whether no number of a body is too large, too small, or too far from the others."""
+    a, b, c = moments
+    x, y, z = abs(momentum[0]), abs(momentum[1]), abs(momentum[2])
+    largest, size = max(max(a, b), c), max(max(x, y), z)
+    lowest = SPREAD * size
+    near = (x == 0.0 or x >= lowest) and (y == 0.0 or y >= lowest) and (z == 0.0 or z >= lowest)
+    within = RANGE[0] < largest < RANGE[1] and RANGE[0] < size < RANGE[1]
+    return within and near and min(min(a, b), c) >= SPREAD * largest
+
+
+def _has_period(body: Reduction) -> bool:
+    x, _, z = body.canonical
+    return body.B[0] * body.Q[0] > 0.0 and body.P[0] > 0.0 and body.S[0] != 0.0 and (x != 0.0 or z != 0.0)
+
+
+def set_up_one(moments: Three, momentum: Three, attitude: Four) -> Motion | None:
+    """Return the constants of motion of one body, or None for one that is left to NumPy."""
+    if not _is_within(moments, momentum):
+        return None
+    body = reduction(moments, momentum)
+    if not _has_period(body):
+        return None
+    return motion_of(Given(moments, momentum, attitude, body, frequencies(body)))
+
+
+# ---------------------------------------------------------------------- blocks of bodies
+
+
+@called
+def _load(moments: Any, momentum: Any, w: Any, within: Any) -> None:
+    for i in range(len(moments)):
+        of_moments = moments[i, 0], moments[i, 1], moments[i, 2]
+        of_momentum = momentum[i, 0], momentum[i, 1], momentum[i, 2]
+        within[i] = _is_within(of_moments, of_momentum)
+        put_record(w, SCALED + i, scaled(of_moments, of_momentum))
+
+
+@called
+def _sum(w: Any, count: int) -> None:
+    """Form the invariants, S in double-double."""
+    for i in range(count):
+        body = load(w, SCALED + i, Scaled)
+        sums = sums_of(body)
+        _, x, z = terms_of_distance(body)
+        distance, near = plain_distance(sums.A, sums.B, x, z)
+        put_record(w, SUMMED + i, sums)
+        put(w, DISTANCE + i, distance)
+        w[NEAR + i] = 1.0 if near else 0.0
+
+
+@called
+def _sum_exactly(w: Any, i: int) -> None:
+    moments, x, z = terms_of_distance(load(w, SCALED + i, Scaled))
+    put(w, DISTANCE + i, exact_distance(moments, x, z))
+
+
+@called
+def _reduce(w: Any, count: int) -> None:
+    for i in range(count):
+        body, sums = load(w, SCALED + i, Scaled), load(w, SUMMED + i, Sums)
+        put_record(w, BODY + i, reduced(body, sums, pair(w, DISTANCE + i)))
+
+
+@called
+def _begin(moments: Any, momentum: Any, begun: Any, w: Any, place: Any) -> tuple[int, int]:
+    """Reduce a block and sort it; return how many bodies take the full form, and how many any. ``place`` has them."""
+    count = len(moments)
+    within = flags(count)
+    _load(moments, momentum, begun, within)
+    _sum(begun, count)
+    for i in range(count):
+        if begun[NEAR + i] != 0.0:
+            _sum_exactly(begun, i)
+    _reduce(begun, count)
+    full, back = 0, count
+    for i in range(count):
+        body = load(begun, BODY + i, Reduction)
+        if not (within[i] and _has_period(body)):
+            continue
+        if is_full(body):
+            place[full] = i
+            full += 1
+        else:
+            back -= 1
+            place[back] = i
+    for i in range(back, count):
+        place[full + i - back] = place[i]
+    good = full + count - back
+    for k in range(KEPT):
+        for i in range(good):
+            w[k * BLOCK + i] = begun[k * BLOCK + place[i]]
+    return full, good
+
+
+@called
+def _start_mean(w: Any, count: int, steps: Any) -> None:
+    for i in range(count):
+        start, fast, slow, pp = start_of(load(w, BODY + i, Reduction))
+        state, w[EXPONENT + i] = mean_start(fast, slow, pp)
+        put_record(w, BEGUN + i, start)
+        put_record(steps, AA + i, state)
+
+
+@called
+def _put_rates(w: Any, full: int, count: int, m: Any) -> None:
+    for i in range(count):
+        body, start = load(w, BODY + i, Reduction), load(w, BEGUN + i, Start)
+        mean = scale(pair(w, MEAN + i), times_power(1.0, w[EXPONENT + i]))
+        rates = frequencies_of(body, start, mean, pair(w, TOTAL + i))
+        put_record(w, RATES + i, rates)
+        put_record(m, FIRST + i, phase_rates(i < full, body, rates))
 
 
 @called
 def _full_arguments(w: Any, full: int, m: Any) -> None:
-    """Put start and series of the full form into the motion."""
     for i in range(full):
-        A0, B0, C0, P0, Q0 = w[at.A + i], w[at.B + i], w[at.C + i], w[at.P + i], w[at.Q + i]
-        momentum = w[at.X1 + i], w[at.L2 + i], w[at.X3 + i]
-        w[at.UP + i], w[at.ACROSS + i], series = full_arguments(
-            A0, B0, C0, Q0, (A0 * P0, C0 * w[at.S + i]), square_root(P0), momentum
-        )
-        put_record(m, SERIES + i, series)
-        put_record(m, START + BLOCK + i, (0.0,))
-        put_record(m, NOME + i, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+        at = full_amplitude(load(w, BODY + i, Reduction))
+        put_record(w, AT + i, (at.rise, at.run))
+        put_record(m, START + i, full_arguments(0.0, at.series))
     for i in range(full):
-        m[START + i] = math.atan2(w[at.UP + i], w[at.ACROSS + i]) * (0.25 / math.pi)
+        m[START + i] = full_start(w[AT + i], w[AT + BLOCK + i])
 
 
 @called
 def _complementary_arguments(w: Any, count: int, m: Any) -> None:
-    """Put start, harmonics and nome of the complementary form into the motion."""
     for i in range(count):
-        B0, C0, P0, Q0 = w[at.B + i], w[at.C + i], w[at.P + i], w[at.Q + i]
-        total = B0 * Q0
-        k, parameter = square_root(w[at.A + i] * P0 / total), C0 * w[at.S + i] / total
-        m[NOME + i] = parameter * nome_per_parameter(parameter, k)
-        momentum = w[at.X1 + i], w[at.L2 + i], w[at.X3 + i]
-        dn, along, cosine, dc = complementary_amplitudes(B0, C0, P0, Q0, w[at.G + i], momentum)
-        factor, w[at.UP + i] = landen(k, dn, along, cosine, dc)
-        w[at.ACROSS + i] = square_root(Q0 / P0) * factor
+        put_record(w, AT + i, amplitude(load(w, BODY + i, Reduction), load(w, RATES + i, Frequencies)))
     for i in range(count):
-        x = math.asinh(w[at.UP + i])
-        m[START + i], m[START + BLOCK + i] = x, math.sinh(x)
-        m[Y_TURNS + i] = math.atan(w[at.ACROSS + i])
+        put_record(w, ANGLES + i, angles(load(w, AT + i, Amplitude)))
     for i in range(count):
-        sinh, y, q = w[at.UP + i], m[Y_TURNS + i], m[NOME + i]
-        x, back = pair(m, START + i)
-        side = -1.0 if (w[at.L2 + i] < 0.0) != (w[at.X1 + i] < 0.0) else 1.0
-        x = scale(fast_two_sum(x, (sinh - back) / square_root(1.0 + back * back)), side)
-        period = half_period(pair(w, at.FAST + i), pair(w, at.MEAN + i), q)
-        put(m, START + i, divide(x, period))
-        put_record(m, SERIES + i, harmonics(y))
-        upper, lower = halves(period[0])
-        parity = 1.0 if w[at.X1 + i] < 0.0 else 0.0
-        put_record(m, NOME + i, (square_root(q), upper, lower + period[1], y * (0.5 / math.pi), 1.0, parity))
-
-
-def _put_column(
-    w: Any, i: int, m: Any, k: int, scalar: float, x: float, y: float, z: float, first: float, second: float
-) -> None:
-    """Store one column of the matrix from spinor to attitude: the given attitude times a quaternion."""
-    x, y, z = (
-        x if first == 0.0 else y if second == 0.0 else z,
-        x if first == 1.0 else y if second == 1.0 else z,
-        x if first == 2.0 else y if second == 2.0 else z,
-    )
-    a, b, c, d = w[at.E0 + i], w[at.E1 + i], w[at.E2 + i], w[at.E3 + i]
-    m[TO_ATTITUDE + k * BLOCK + i] = ((a * scalar - b * x) - c * y) - d * z
-    m[TO_ATTITUDE + (4 + k) * BLOCK + i] = ((a * x + b * scalar) + c * z) - d * y
-    m[TO_ATTITUDE + (8 + k) * BLOCK + i] = ((a * y - b * z) + c * scalar) + d * x
-    m[TO_ATTITUDE + (12 + k) * BLOCK + i] = ((a * z + b * y) - c * x) + d * scalar
+        body, rates = load(w, BODY + i, Reduction), load(w, RATES + i, Frequencies)
+        at, angle = load(w, AT + i, Amplitude), load(w, ANGLES + i, Angles)
+        put_record(m, START + i, complementary_arguments(body, rates, at, angle))
 
 
 @called
 def _matrices(w: Any, count: int, m: Any, spinor: Any) -> None:
-    """Put the matrices of ``preparation._matrices`` into the motion."""
     for i in range(count):
-        a0, a1, b0, b1 = sums_at(spinor, SUMS + i)
-        norm = square_root((a0 * a0 + a1 * a1) + (b0 * b0 + b1 * b1))
-        a0, a1, b0, b1 = a0 / norm, a1 / norm, b0 / norm, b1 / norm
-        long_axis = w[at.LONG + i] < 0.0
-        first, second = (w[at.THIRD + i] if long_axis else w[at.FIRST + i]), w[at.SECOND + i]
-        third = w[at.FIRST + i] if long_axis else w[at.THIRD + i]
-        middle, outer = w[at.PARITY + i], w[at.PARITY + i] * w[at.HALF + i]
-        f, g = w[at.LONG + i] * outer, w[at.LONG + i] * middle
-        _put_column(w, i, m, 0, a0, -f * b1, g * b0, -f * a1, first, second)
-        _put_column(w, i, m, 1, a1, f * b0, g * b1, f * a0, first, second)
-        _put_column(w, i, m, 2, b0, -f * a1, -g * a0, f * b1, first, second)
-        _put_column(w, i, m, 3, b1, f * a0, -g * a1, -f * b0, first, second)
-        size = w[at.G + i] * w[at.SIZE + i]
-        outer, middle = size * outer, size * middle
-        put_record(m, TO_MOMENTUM + i, (
-            outer if first == 0.0 else 0.0, middle if second == 0.0 else 0.0, outer if third == 0.0 else 0.0,
-            outer if first == 1.0 else 0.0, middle if second == 1.0 else 0.0, outer if third == 1.0 else 0.0,
-            outer if first == 2.0 else 0.0, middle if second == 2.0 else 0.0, outer if third == 2.0 else 0.0,
-        ))
+        body, rates = load(w, BODY + i, Reduction), load(w, RATES + i, Frequencies)
+        attitude = record(w, ATTITUDE + i, 4)
+        put_record(m, TO_ATTITUDE + i, matrices(body, rates.G[0], attitude, sums_at(spinor, SUMS + i)))
 
 
 @entry
 def set_up(moments: Any, momentum: Any, attitude: Any, columns: Any, left: Any, first: int) -> None:
-    begun, w, m = room(ROWS * BLOCK), room(ROWS * BLOCK), room(COLUMNS * BLOCK)
-    steps, work, zeros, terms = room(STEPS * BLOCK), room(WORK * BLOCK), room(BLOCK), room(32)
+    begun, w, m = room(ALL), room(ROWS), room(COLUMNS * BLOCK)
+    steps, work, zeros = room(STEPS * BLOCK), room(WORK * BLOCK), room(BLOCK)
     place, who = places(BLOCK), places(BLOCK)
     for low in range(0, len(moments), BLOCK):
         part = slice(low, low + BLOCK)
-        full, count = begin(moments[part], momentum[part], begun, w, place, terms)
+        full, count = _begin(moments[part], momentum[part], begun, w, place)
         for i in range(count):
             start = attitude[low + place[i]]
-            put_record(w, at.E0 + i, (start[0], start[1], start[2], start[3]))
-        rates(w, full, count, steps, who, m)
+            put_record(w, ATTITUDE + i, (start[0], start[1], start[2], start[3]))
+        _start_mean(w, count, steps)
+        third_kind(w, MEAN, TOTAL, count, steps, who)
+        _put_rates(w, full, count, m)
         _full_arguments(w, full, m)
         _complementary_arguments(w[full:], count - full, m[full:])
         sums_of_many(m, full, count, zeros, zeros, zeros, work)

@@ -12,8 +12,8 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from polhode._base.arrays import namespace
-from polhode.exact.free_body._preparation import Prepared
-from polhode.exact.free_body._reduction import Reduction, half_turn_sign, total
+from polhode.exact.free_body._formulas_reduction import Reduction
+from polhode.exact.free_body._preparation import FORMULAS, Prepared
 from polhode.exact.free_body._tangent_kernel import Kernel, elliptic_kernel
 from polhode.special import _doubledouble as dd
 from polhode.types import Array, Bool, Float64
@@ -185,7 +185,7 @@ def _passage(prepared: Prepared, form: Canonical, time: Array) -> Passage:
     # the other phase: the epoch's for a passage, else the present one, whose cn and dn are small near a saddle
     other = dd.where(middle, u0, u1)
     second = elliptic_kernel(other[0] / rate, form.b, form.g, form.kappa, zero, other, gap(other[0]))
-    half_turn = half_turn_sign(body)
+    half_turn = body.half_turn
     side = xp.where(body.canonical[0] < 0, -1.0, 1.0)
     signs = tuple(xp.where(middle, x, 1.0) for x in (half_turn * side, side, half_turn))
     mirrored_start = mirror(form.mirrored, body.momentum)
@@ -339,6 +339,7 @@ def _dot(x: Any, y: Any) -> Array:
 def sorted_sizes(body: Reduction, sizes: Float64[Array, "*more 3"]) -> Moved:
     """Return what goes with each axis, without sign, in sorted order."""
     xp = namespace(body.long_axis)
-    columns = [total(xp.abs(body.axes[i][j]) * sizes[..., i] for i in range(3)) for j in range(3)]
+    a, b, c = ([xp.abs(x) * sizes[..., i] for x in row] for i, row in enumerate(FORMULAS.axes_of(body)))
+    columns = [x + y + z for x, y, z in zip(a, b, c, strict=True)]
     first, third = (xp.where(body.long_axis, columns[2 - j], columns[j]) for j in (0, 2))
     return first, columns[1], third

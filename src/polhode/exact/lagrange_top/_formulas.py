@@ -77,7 +77,7 @@ def motion_at(rows: Any, i: int) -> Motion:
 
 def sums_at(rows: Any, i: int) -> Sums:
     """Return the sums that stand in rows."""
-    return record(rows, i, SUMS)  # type: ignore[return-value]
+    return record(rows, i, SUMS)
 
 
 def _dot(x: Four, y: Four) -> float:

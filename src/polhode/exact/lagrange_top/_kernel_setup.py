@@ -73,6 +73,13 @@ def _finite(m: Any, count: int, good: Any) -> None:
         good[i] = total == 0.0
 
 
+def set_up_one(moments: Any, mgl: Any, momentum: Any, attitude: Any) -> tuple[float, ...] | None:
+    """Return the numbers of the motion of one top, a block by itself, or None for one that is left to NumPy."""
+    columns, left = [[0.0] for _ in range(COLUMNS)], [True]
+    set_up([moments], [mgl], [momentum], [attitude], columns, left, 0)
+    return None if left[0] else tuple(x for (x,) in columns)
+
+
 @entry
 def set_up(
     moments: Any, mgl: Any, momentum: Any, attitude: Any, columns: Any, left: Any, first: int
