@@ -1,9 +1,10 @@
 // The free rigid body in closed form, at any time.
-import { checkedRange, elapsedTime, finite, positiveMoments, unitQuaternion, vector } from "./checking.js";
-import * as dd from "./double_double.js";
-import { ratesOf } from "./free_rates.js";
-import { reduced } from "./free_reduction.js";
-import { prepared, stateOf } from "./free_series.js";
+import { asState, checkedRange, elapsedTime, finite, positiveMoments, unitQuaternion, vector } from "./checking.js";
+import * as dd from "./formulas/arithmetic.js";
+import { stateAt } from "./formulas/free_body.js";
+import { frequencies } from "./formulas/free_body_rates.js";
+import { reduction } from "./formulas/free_body_reduction.js";
+import { axesOf, motionOf } from "./formulas/free_body_setup.js";
 import { normalize } from "./quaternion.js";
 
 const SMALL_CAP = 1e-14; // below it the leading term of the cap's area is as exact as the difference it replaces
@@ -39,10 +40,10 @@ export class FreeMotion {
     this.attitudeAtEpoch = normalize(unitQuaternion(attitude));
     this.epoch = finite("epoch", epoch, "seconds");
     const given = { moments: this.moments, momentum: this.momentumAtEpoch, attitude: this.attitudeAtEpoch };
-    const body = reduced(given.moments, given.momentum);
-    const rates = ratesOf(body);
+    const body = reduction(given.moments, given.momentum);
+    const rates = frequencies(body);
     this._fastest = Math.max(...given.momentum.map((x, k) => Math.abs(x / given.moments[k])));
-    this._motion = prepared(body, rates, given);
+    this._motion = motionOf({ ...given, body, rates });
     const { first, second, toAttitude, toMomentum } = this._motion;
     checkedRange([this._fastest, ...first, ...second, ...toAttitude, ...toMomentum]);
     this._curve = { body, rates };
@@ -53,7 +54,8 @@ export class FreeMotion {
 
   /** Return {attitude: [w, x, y, z], momentum: [x, y, z]} at a time [s]. */
   state(t) {
-    return stateOf(this._motion, elapsedTime(t, this.epoch, this._fastest));
+    const [elapsed, rest] = elapsedTime(t, this.epoch, this._fastest);
+    return asState(stateAt(this._motion, elapsed, rest));
   }
 
   /** Return Ω [rad/s, body axes] at a time [s]. */
@@ -76,6 +78,7 @@ export class FreeMotion {
     const total = B * Q;
     const [m, m1] = rates.separatrix ? [1, 0] : [(A * P) / total, (-C * body.S[0]) / total];
     const [l1, l2] = body.canonical;
+    const axes = axesOf(body);
     const rootP = body.rootP;
     const start = Math.atan2(Math.sqrt(B) * l2, Math.sqrt(C) * l1);
     const side = rates.separatrix && l1 < 0 ? -1 : 1;
@@ -88,7 +91,7 @@ export class FreeMotion {
         (rootP / Math.sqrt(B)) * s,
         Math.sqrt(Q / C) * Math.sqrt(m1 + m * c * c),
       ];
-      return body.axes.map((row) => body.momentumScale * (row[0] * point[0] + row[1] * point[1] + row[2] * point[2]));
+      return axes.map((row) => body.momentumScale * (row[0] * point[0] + row[1] * point[1] + row[2] * point[2]));
     });
   }
 }
@@ -115,7 +118,7 @@ function numbersOf(given, body, rates) {
   const period = dd.multiply(scaledPeriod, body.V)[0] / body.rateScale;
   return {
     regime,
-    encircledAxis: body.axes.findIndex((row) => row[2] !== 0),
+    encircledAxis: axesOf(body).findIndex((row) => row[2] !== 0),
     modulus: Math.sqrt(body.A[0] / body.B[0]) * (body.rootP / Math.sqrt(body.Q[0])),
     period,
     precessionRate,

@@ -1,12 +1,12 @@
 // The Lagrange top in closed form, at any time.
-import { checkedRange, elapsedTime, finite, positiveMoments, unitQuaternion, vector } from "./checking.js";
-import * as dd from "./double_double.js";
+import { asState, checkedRange, elapsedTime, finite, positiveMoments, unitQuaternion, vector } from "./checking.js";
+import * as dd from "./formulas/arithmetic.js";
+import { stateAt } from "./formulas/lagrange_top.js";
 import { normalize, rotate } from "./quaternion.js";
 import { topRates } from "./top_rates.js";
 import { reducedTop } from "./top_reduction.js";
 import { turningPoints } from "./top_roots.js";
 import { preparedTop } from "./top_series.js";
-import { topStateOf } from "./top_state.js";
 
 /**
  * A heavy symmetric top: H = ½ L·I⁻¹L + mgl cos θ, dL/dt = L × Ω + mgl Γ × e3, dR/dt = R hat(Ω).
@@ -51,8 +51,8 @@ export class LagrangeMotion {
     const turning = Math.max(...L.map((x, k) => Math.abs(x / this.moments[k])));
     this._fastest = turning + Math.sqrt(Math.abs(this.mgl) / this.moments[0]);
     this._motion = preparedTop(top, points, rates, L[2]);
-    const { first, second, third, start, gain, phases } = this._motion;
-    checkedRange([this._fastest, ...first, ...second, ...third, ...start, ...gain, ...phases]);
+    const { first, second, third, start, rates: ofMomentum, phases } = this._motion;
+    checkedRange([this._fastest, ...first, ...second, ...third, ...start, ...ofMomentum, ...phases]);
     const [w, x, y, z] = this.attitudeAtEpoch;
     const [up, down] = [w * w + z * z, x * x + y * y];
     const kinetic = 0.5 * L.reduce((sum, value, k) => sum + (value / this.moments[k]) * value, 0);
@@ -64,7 +64,8 @@ export class LagrangeMotion {
 
   /** Return {attitude: [w, x, y, z], momentum: [x, y, z]} at a time [s]. */
   state(t) {
-    return topStateOf(this._motion, elapsedTime(t, this.epoch, this._fastest));
+    const [elapsed, rest] = elapsedTime(t, this.epoch, this._fastest);
+    return asState(stateAt(this._motion, elapsed, rest));
   }
 
   /** Return Ω [rad/s, body axes] at a time [s]. */
@@ -90,12 +91,12 @@ function numbersOf(top, points, rates) {
     spinRate: null,
   };
   if (permanent || separatrix) return found;
-  const alpha = dd.add(dd.divide(rates.alpha, nutation), dd.from(rates.signAlpha));
-  const beta = dd.add(dd.divide(rates.beta, nutation), dd.from(rates.signBeta));
+  const alpha = dd.add(dd.divide(rates.alpha, nutation), [rates.signAlpha, 0]);
+  const beta = dd.add(dd.divide(rates.beta, nutation), [rates.signBeta, 0]);
   const spin = dd.divide(rates.spin, nutation);
   const precession = dd.multiply(dd.PI, dd.add(alpha, beta))[0];
   const ownTurn = top.reversed * dd.multiply(dd.PI, dd.add(dd.subtract(alpha, beta), spin))[0];
-  const period = dd.divide(dd.timesFloat(dd.PI, top.moments[0]), dd.scale(nutation, top.rateScale))[0];
+  const period = dd.divide(dd.multiplyFloat(dd.PI, top.moments[0]), dd.scale(nutation, top.rateScale))[0];
   return {
     ...found,
     nutationPeriod: period,
@@ -107,7 +108,7 @@ function numbersOf(top, points, rates) {
 }
 
 /** Return u from the smaller of 1 − u and 1 + u. */
-const cosineFrom = (s, t) => (s[0] < t[0] ? dd.subtract(dd.ONE, s)[0] : dd.subtract(t, dd.ONE)[0]);
+const cosineFrom = (s, t) => (s[0] < t[0] ? dd.subtract([1, 0], s)[0] : dd.subtract(t, [1, 0])[0]);
 
 /**
  * Signs of polynomials in the given floats decide; only the steady top needs the computed gap u2 − u1.

@@ -3,8 +3,9 @@
 // α and β turn by c'/2t and c/2s, whose means over a nutation are complete integrals of the third kind. Each has two forms,
 // one for either side of the pole that it looks at, so that nothing cancels. Sources: Carlson, SIAM J. Math. Anal. 8 (1977)
 // 231; Klein & Sommerfeld, Theorie des Kreisels, ch. VI.
-import * as dd from "./double_double.js";
 import { thirdKindMean } from "./elliptic.js";
+import * as dd from "./formulas/arithmetic.js";
+import { drift, ONE, spin, startOfAlpha, startOfBeta, ZERO } from "./formulas/lagrange_top_setup.js";
 
 /**
  * Return the rates by τ = t/I1 in scaled units, double-double.
@@ -21,11 +22,11 @@ export function topRates(top, points) {
   const signBeta = top.c[0] >= 0 ? 1 : -1;
   const cPlus = dd.scale(top.cPlus, signAlpha);
   const [I1, I3] = top.moments;
-  const spin = dd.divide(dd.timesFloat(dd.twoSum(I1, -I3), a), dd.from(I3));
-  const rootA = dd.sqrt(points.A);
-  const found = { halfRoot: dd.scale(rootA, 0.5), signAlpha, signBeta, spin, permanent, separatrix, steady: false };
-  if (permanent) return { ...found, nutation: dd.ZERO, alpha: dd.ZERO, beta: dd.ZERO };
-  if (separatrix) return { ...found, nutation: dd.ZERO, alpha: dd.scale(cPlus, 0.25 * signAlpha), beta: dd.ZERO };
+  const rootA = dd.rootOrZero(points.A);
+  const signs = { signAlpha, signBeta, spin: spin(I1, I3, a) };
+  const found = { halfRoot: dd.scale(rootA, 0.5), ...signs, permanent, separatrix, steady: false };
+  if (permanent) return { ...found, nutation: ZERO, alpha: ZERO, beta: ZERO };
+  if (separatrix) return { ...found, nutation: ZERO, alpha: dd.scale(cPlus, 0.25 * signAlpha), beta: ZERO };
   const drifts = bothDrifts(top, points, rootA, cPlus, dd.scale(top.c, signBeta));
   const own = {
     nutation: drifts.nutation,
@@ -36,7 +37,7 @@ export function topRates(top, points) {
 }
 
 /** Return the x = Wτ that a top which leaves the vertical needs until its displacement is as large as the lifted one. */
-export const climb = (top) => (top.leaves ? dd.timesFloat(dd.LN2, top.lift) : dd.ZERO);
+export const climb = (top) => (top.leaves ? dd.multiplyFloat(dd.LN2, top.lift) : ZERO);
 
 /**
  * Return the rates of a top that leaves the vertical from those of the lifted one.
@@ -47,7 +48,7 @@ export const climb = (top) => (top.leaves ? dd.timesFloat(dd.LN2, top.lift) : dd
 function lingering(top, W, { nutation, alpha, beta }) {
   const own = dd.scale(top.cPlus, 0.25);
   const longer = dd.scale(dd.divide(dd.multiply(climb(top), nutation), dd.multiply(dd.PI, W)), 2); // climb/K
-  const share = dd.divide(dd.ONE, dd.add(dd.ONE, longer));
+  const share = dd.divide(ONE, dd.add(ONE, longer));
   return {
     nutation: dd.multiply(nutation, share),
     alpha: dd.add(own, dd.multiply(dd.subtract(alpha, own), share)),
@@ -58,26 +59,13 @@ function lingering(top, W, { nutation, alpha, beta }) {
 function bothDrifts(top, points, rootA, cPlus, c) {
   const { G } = top;
   const { A, B, s1, s2, t1, t2, d, zMinus, zPlus } = points;
-  const rootB = dd.sqrt(B);
+  const rootB = dd.rootOrZero(B);
   const firstAlpha = zPlus[0] <= 2 * A[0];
   const firstBeta = dd.multiply(G, s2)[0] <= zMinus[0];
-  const squareAlpha = firstAlpha ? zPlus : dd.divide(dd.multiply(A, t2), t1);
-  // c = 0 through the upper pole: the factor of the sum vanishes, and p² must only not be zero
-  const idle = firstBeta && c[0] === 0;
-  const squareBeta = idle ? A : firstBeta ? zMinus : dd.divide(dd.multiply(s1, B), s2);
-  const ofAlpha = thirdKindMean(rootA, rootB, squareAlpha);
-  const ofBeta = thirdKindMean(rootA, rootB, squareBeta);
+  const ofAlpha = thirdKindMean(rootA, rootB, startOfAlpha(firstAlpha, A, zPlus, t1, t2));
+  const ofBeta = thirdKindMean(rootA, rootB, startOfBeta(firstBeta, c, A, B, zMinus, s1, s2));
   const nutation = dd.scale(ofAlpha.mean, 0.5);
-  const alpha = drift(G, cPlus, zPlus, t1, t2, d, nutation, ofAlpha.total, firstAlpha);
-  const beta = drift(G, c, zMinus, s2, s1, d, nutation, ofBeta.total, firstBeta);
-  return { nutation, alpha, beta: firstBeta ? dd.negate(beta) : beta };
-}
-
-/** Return cG/(4Z) Σ in the first form, |c|/(2 near) [1 − d/(2 far) Σ] − ϖ in the second. */
-function drift(G, c, Z, near, far, d, nutation, total, first) {
-  const idle = c[0] === 0;
-  if (first) return dd.scale(dd.multiply(dd.divide(dd.multiply(c, G), idle ? dd.ONE : Z), total), 0.25);
-  const outer = dd.scale(dd.divide(c, idle ? dd.ONE : near), 0.5);
-  const share = dd.scale(dd.multiply(dd.divide(d, far), total), 0.5);
-  return dd.subtract(dd.multiply(outer, dd.subtract(dd.ONE, share)), nutation);
+  const alpha = drift(firstAlpha, cPlus, G, zPlus, t1, t2, d, nutation, ofAlpha.total);
+  const beta = drift(firstBeta, c, G, zMinus, s2, s1, d, nutation, ofBeta.total);
+  return { nutation, alpha, beta: firstBeta ? dd.scale(beta, -1) : beta };
 }

@@ -3,7 +3,8 @@
 // One root stands apart from the other two. It is found by Newton's method in double-double, in a variable in which it is
 // large; the others follow from sums and products of roots without cancellation, whatever coincides. Source: Whittaker,
 // Analytical Dynamics, §71–73, for the cubic.
-import * as dd from "./double_double.js";
+import * as dd from "./formulas/arithmetic.js";
+import { binaryExponent, timesPower } from "./words.js";
 
 const SQUARABLE = -400; // binary exponent down to which a square has all its digits
 const NEWTON_STEPS = 5; // from the float64 root; three do, two more where float64 was poor
@@ -18,7 +19,7 @@ export function turningPoints(top) {
   const { G } = top;
   const p2 = dd.square(top.p);
   const c2 = dd.square(top.c);
-  const a = dd.from(top.momentum[2]);
+  const a = [top.momentum[2], 0];
   let f1 = dd.subtract(dd.scale(dd.multiply(a, top.twist), 2), dd.multiply(G, dd.multiply(top.s0, top.t0)));
   f1 = dd.subtract(f1, dd.scale(dd.multiply(top.u0, top.w2), 2));
   const f2 = dd.subtract(dd.subtract(dd.scale(dd.multiply(G, top.u0), 2), top.w2), dd.square(a));
@@ -28,7 +29,7 @@ export function turningPoints(top) {
   if (cosine >= 0 || !(G[0] > 0)) {
     points = upperRootApart(top, p2, c2, f1, polished(root, ofY));
   } else {
-    const ofS = [dd.negate(dd.divide(top.D, G)), dd.scale(dd.divide(top.F, G), -2), dd.divide(c2, G)];
+    const ofS = [dd.scale(dd.divide(top.D, G), -1), dd.scale(dd.divide(top.F, G), -2), dd.divide(c2, G)];
     points = lowerRootApart(top, p2, c2, polished(largestRoot(ofS).root, ofS));
   }
   const t2 = dd.add(top.t0, points.fromUpper);
@@ -46,7 +47,7 @@ function largestRoot([[b], [c], [d]]) {
 }
 
 function polished(start, [b, c, d]) {
-  let x = dd.from(start);
+  let x = [start, 0];
   for (let step = 0; step < NEWTON_STEPS; step++) {
     const value = dd.add(dd.multiply(dd.add(dd.multiply(dd.add(x, b), x), c), x), d);
     const slope = dd.add(dd.multiply(dd.add(dd.add(dd.scale(x, 2), x), dd.scale(b, 2)), x), c);
@@ -61,20 +62,20 @@ const quotient = (x, y) => (x[0] === 0 ? x : dd.divide(x, y));
 
 /** Return x + y = √((x − y)² + 4xy), also where the square underflows. */
 function difference(sum, product) {
-  const exponent = dd.exponentOf(sum[0]);
-  const alone = product[0] === 0 || dd.exponentOf(product[0]) < 2 * exponent;
+  const exponent = binaryExponent(sum[0]);
+  const alone = product[0] === 0 || binaryExponent(product[0]) < 2 * exponent;
   const small = sum[0] !== 0 && exponent < SQUARABLE && alone ? -exponent : 0;
-  const up = dd.timesPowerOfTwo(1, small);
+  const up = timesPower(1, small);
   const raised = dd.scale(dd.scale(product, up), up);
-  const root = dd.sqrt(dd.add(dd.square(dd.scale(sum, up)), dd.scale(raised, 4)));
-  return dd.scale(root, dd.timesPowerOfTwo(1, -small));
+  const root = dd.rootOrZero(dd.add(dd.square(dd.scale(sum, up)), dd.scale(raised, 4)));
+  return dd.scale(root, timesPower(1, -small));
 }
 
 /** Return x ≥ 0 and y ≥ 0 from x − y, x + y and x y. */
 function largerAndSmaller(sum, difference, product) {
   const positive = sum[0] >= 0;
-  const larger = dd.scale(dd.add(difference, positive ? sum : dd.negate(sum)), 0.5);
-  const smaller = larger[0] > 0 ? quotient(product, larger) : dd.ZERO;
+  const larger = dd.scale(dd.add(difference, positive ? sum : dd.scale(sum, -1)), 0.5);
+  const smaller = larger[0] > 0 ? quotient(product, larger) : [0, 0];
   return positive ? [larger, smaller] : [smaller, larger];
 }
 

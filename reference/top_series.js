@@ -2,43 +2,50 @@
 //
 // α ∝ θ1(z − iy_a)/θ4(z) and β ∝ θ2(z − iy_b)/θ4(z), each with a phase linear in time (Klein & Sommerfeld, Theorie des
 // Kreisels, ch. VI). The full form (m ≤ ½) is trigonometric in z, the complementary form (m > ½) exponential.
-import * as dd from "./double_double.js";
-import { firstKind, nomePerParameter, theta3Excess } from "./elliptic.js";
-import { splitRate } from "./phase.js";
+import { firstKind } from "./elliptic.js";
+import * as dd from "./formulas/arithmetic.js";
+import { nomePerParameter } from "./formulas/formulas.js";
+import { complementaryPhase, complementarySums, fullSums } from "./formulas/lagrange_top.js";
+import * as setup from "./formulas/lagrange_top_setup.js";
 import { climb } from "./top_rates.js";
-import { startNumerators } from "./top_state.js";
+import { timesPower } from "./words.js";
 
-const TERMS = [0, 1, 2, 3]; // of each series: q^16 is below 1e-21
+const NOTHING = [0, 0, 0, 0];
 
-/** Return all that evaluation needs; `axial` is L3 as given. */
+/** Return all that evaluation needs, a `Motion` of formulas/lagrange_top.js; `axial` is L3 as given. */
 export function preparedTop(top, points, rates, axial) {
   const at = placesInLattice(top, points, rates);
   const { permanent, separatrix, nutation } = rates;
   const { full, q, theta3 } = at;
-  const [first, second] = phaseRates(top, rates).map((rate) => turnsPerTime(top, rate));
-  // what stays near the vertical moves as the lifted top does, at the given size
-  const down = dd.timesPowerOfTwo(1, top.leaves ? 0 : -top.lift);
-  const size = top.upright ? [1, down] : [down, 1];
-  const form = full ? fullSeries : complementarySeries;
-  const series = permanent ? permanentSeries(top) : form(points, at, size);
+  const [first, second] = phaseRates(top, rates).map((rate) => setup.turnsPerTime(rate, top.moments[0], top.rateScale));
   const argumentRate = permanent ? 0 : full ? nutation[0] : rates.halfRoot[0] / (theta3 * theta3);
   const linear = linearRates(rates, at);
-  const bothRates = 2 * (linear[0] + linear[1]);
+  const { third, start, decay } = argumentOf(top, rates, at);
   const motion = {
-    full,
-    first: splitRate(first), // of the phase of α [turns per time]
-    second: splitRate(second), // of the phase of β
-    ...argumentOf(top, rates, at),
-    series,
-    q,
-    poleTurns: [at.yAlpha, at.yBeta].map((y) => (separatrix || full ? 0 : y / Math.PI)),
-    periodic: separatrix ? 0 : 1,
+    full: full ? 1 : 0,
+    first: inHalves(first),
+    second: inHalves(second),
+    third,
+    start,
+    ...seriesOf(top, points, rates, at),
+    nome: [q, ...decay, ...[at.yAlpha, at.yBeta].map((y) => (separatrix || full ? 0 : y / Math.PI)), separatrix ? 0 : 1],
     signs: permanent ? [1, 1] : [rates.signAlpha, rates.signBeta],
-    gain: [2 * argumentRate * top.momentumScale, bothRates * top.momentumScale], // of w
+    rates: [2 * argumentRate * top.momentumScale, 2 * (linear[0] + linear[1]) * top.momentumScale],
+    phases: [1, 0, 1, 0],
     axial,
     reversed: top.reversed,
   };
-  return { ...motion, phases: constantPhases(top, startNumerators(motion), linear, argumentRate) };
+  return { ...motion, phases: constantPhases(top, sumsAtStart(motion), linear, argumentRate) };
+}
+
+/** Return a double-double rate in halves and what these leave of it. */
+const inHalves = ([high, low]) => [...dd.halves(high), low];
+
+/** Return A, B, their derivatives and phases at the epoch. */
+function sumsAtStart(motion) {
+  if (motion.full) return fullSums(motion, [0, 0, 0]);
+  const [a, b, c, exponent, factor, other, otherFactor] = complementaryPhase(motion, [0, 0, 0]);
+  return complementarySums(motion, a, b, c, Math.exp(exponent) * factor, Math.exp(other) * otherFactor);
 }
 
 /** Return the modulus and the places of start and poles: nome of the smaller parameter, y times π/2K of it, x0. */
@@ -50,9 +57,9 @@ function placesInLattice(top, points, rates) {
   const full = permanent || (m <= m1 && !separatrix);
   const small = permanent ? 0 : full ? m : m1;
   const q = small * nomePerParameter(small, Math.sqrt(1 - small));
-  const theta3 = 1 + theta3Excess(q);
+  const theta3 = 1 + 2 * (q + q ** 4 + q ** 9);
   const scale = 1 / (theta3 * theta3);
-  const found = { full, q, theta3, yAlpha: 0, yBeta: 0, rAlpha: 0, rBeta: 0, x0: dd.ZERO };
+  const found = { full, q, theta3, yAlpha: 0, yBeta: 0, rAlpha: 0, rBeta: 0, x0: setup.ZERO };
   if (permanent) return found;
   // where the tilt stays the pole is infinitely far: only e^−y = 0 enters
   if (steady) return { ...found, yAlpha: Infinity, yBeta: Infinity };
@@ -77,7 +84,7 @@ function integralsOf(top, points) {
   const over = dd.divide;
   const of = (factor, x, y) => {
     const size = x[0] + y[0];
-    return dd.multiply(dd.sqrt(factor), size > 0 && Number.isFinite(size) ? firstKind(x, y) : dd.ONE);
+    return dd.multiply(dd.rootOrZero(factor), size > 0 && Number.isFinite(size) ? firstKind(x, y) : setup.ONE);
   };
   return {
     alpha: () => of(over(t1, t2), over(d, t2), over(dd.multiply(d, zPlus), dd.multiply(A, t2)))[0],
@@ -97,18 +104,15 @@ function argumentOf(top, rates, at) {
   if (permanent) return { third: [0, 0, 0], start: [0.25, 0], decay: [1, 0] };
   const I1 = top.moments[0];
   if (separatrix) {
-    const saddle = dd.divide(dd.scale(halfRoot, top.rateScale), dd.from(I1));
-    return { third: splitRate(saddle), start: at.x0, decay: [1, 0] };
+    const saddle = dd.divide(dd.scale(halfRoot, top.rateScale), [I1, 0]);
+    return { third: inHalves(saddle), start: at.x0, decay: [1, 0] };
   }
   const share = at.full ? 0.5 : 1;
-  const halfPeriods = dd.divide(dd.scale(nutation, top.rateScale), dd.timesFloat(dd.PI, I1));
-  const twiceK = dd.divide(dd.multiply(halfRoot, dd.PI), nutation);
-  const shrink = theta3Excess(at.q);
-  const correction = (shrink * (2 + shrink)) / (at.theta3 * at.theta3);
-  const [high, low, rest] = splitRate(dd.add(twiceK, [-twiceK[0] * correction, 0]));
+  const [quarter, period] = setup.periods(halfRoot, nutation, at.q);
+  const [high, low, rest] = inHalves(period);
   return {
-    third: splitRate(dd.scale(halfPeriods, share)),
-    start: dd.scale(dd.divide(at.x0, twiceK), share),
+    third: inHalves(dd.scale(setup.halfPeriods(nutation, I1, top.rateScale), share)),
+    start: dd.scale(dd.divide(at.x0, quarter), 0.5 * share),
     decay: [high, low + rest],
   };
 }
@@ -118,13 +122,8 @@ function phaseRates(top, rates) {
   const halfSpin = dd.scale(rates.spin, 0.5);
   if (!rates.permanent) return [dd.add(rates.alpha, halfSpin), dd.subtract(rates.beta, halfSpin)];
   const [I1, I3] = top.moments;
-  const own = dd.divide(dd.twoProduct(0.5 * top.momentum[2], I1), dd.from(I3));
-  return [own, dd.negate(own)];
-}
-
-function turnsPerTime(top, rate) {
-  const inverse = dd.divide(dd.INVERSE_TWO_PI, dd.from(top.moments[0]));
-  return dd.scale(dd.multiply(rate, inverse), top.rateScale);
+  const own = dd.divide(dd.twoProduct(0.5 * top.momentum[2], I1), [I3, 0]);
+  return [own, dd.scale(own, -1)];
 }
 
 /** Return the derivatives by τ of the phases of α and β that evaluation adds to A and B, spin aside. */
@@ -138,85 +137,34 @@ function linearRates(rates, at) {
   ];
 }
 
-/** A permanent top has one of α, β, or at rest both, as it started: A = |α| sin z and B = i|β| sin z at z = π/2. */
-function permanentSeries(top) {
-  const none = [0, 0, 0, 0];
-  const [t, s] = [top.t0[0], top.s0[0]].map((v) => Math.sqrt(0.5 * v));
-  return { aSum: [t, 0, 0, 0], aGap: none, bSum: none, bGap: [s, 0, 0, 0] };
+/** Return the coefficients of A and B. */
+function seriesOf(top, points, rates, { full, q, theta3, yAlpha, yBeta, rAlpha, rBeta }) {
+  // what stays near the vertical moves as the lifted top does, at the given size
+  const down = timesPower(1, top.leaves ? 0 : -top.lift);
+  const [sizeA, sizeB] = top.upright ? [1, down] : [down, 1];
+  const [t, s] = rates.permanent ? [top.t0, top.s0] : [points.t2, points.s1];
+  const [rootT, rootS] = [Math.sqrt(0.5 * t[0]) * sizeA, Math.sqrt(0.5 * s[0]) * sizeB];
+  if (rates.permanent) {
+    // it has one of α, β, or at rest both, as it started: A = |α| sin z and B = i|β| sin z at z = π/2
+    return { aSum: [rootT, 0, 0, 0], aGap: NOTHING, bSum: NOTHING, bGap: [rootS, 0, 0, 0], constant: 0 };
+  }
+  if (full) {
+    const [ofAlpha, ofBeta] = setup.fullSizes(rootT, rootS, q, theta3);
+    const [aSum, aGap] = setup.fullTerms(ofAlpha, Math.exp(-2 * yAlpha), q, rAlpha, -1);
+    const [bSum, bGap] = setup.fullTerms(ofBeta, Math.exp(-2 * yBeta), q, rBeta, 1);
+    return { aSum, aGap, bSum, bGap, constant: 0 };
+  }
+  const [aSum, aGap, bSum, bGap, constant] = setup.complementarySeries(rootT, rootS, q, theta3, yAlpha, yBeta);
+  return { aSum, aGap, bSum, bGap, constant };
 }
 
-/** Return sums and differences of the coefficients of e^{±ikz}, k = 1, 3, 5, 7, in A and in B, at the sizes. */
-function fullSeries(points, { q, theta3, yAlpha, yBeta, rAlpha, rBeta }, [sizeA, sizeB]) {
-  const theta4 = 1 - 2 * (q - q ** 4 + q ** 9);
-  const ofOne = (size, y, r, alternating) => {
-    const h = Math.exp(-2 * y);
-    const weights = TERMS.map((n) => (n ? (q ** n * r) ** n : 1));
-    const total = weights.reduceRight((sum, weight, n) => sum + weight * (1 + h ** (2 * n + 1)), 0);
-    const signed = weights.map((weight, n) => (size / total) * (alternating && n % 2 ? -1 : 1) * weight);
-    return [1, -1].map((sense) => signed.map((weight, n) => weight * (1 + sense * h ** (2 * n + 1))));
-  };
-  const [aSum, aGap] = ofOne(sizeA * Math.sqrt(0.5 * points.t2[0]) * theta3, yAlpha, rAlpha, true);
-  const [bSum, bGap] = ofOne(sizeB * Math.sqrt(0.5 * points.s1[0]) * theta4, yBeta, rBeta, false);
-  return { aSum, aGap, bSum, bGap };
-}
-
-/** Return A's factors of sin ky and cos ky, k = 1, 3, 5, 7, B's of cos and sin of 2, 4, 6, 8 y, and its constant. */
-function complementarySeries(points, { q, theta3, yAlpha, yBeta }) {
-  const theta4 = (y) => 1 - 2 * (q * Math.cos(2 * y) - q ** 4 * Math.cos(4 * y) + q ** 9 * Math.cos(6 * y));
-  const ofAlpha = (Math.sqrt(0.5 * points.t2[0]) * theta3) / theta4(yAlpha);
-  const ofBeta = (Math.sqrt(0.5 * points.s1[0]) * (1 + q ** 2 + q ** 6 + q ** 12)) / theta4(yBeta);
-  const alpha = (wave) => TERMS.map((n) => ofAlpha * (n % 2 ? -1 : 1) * wave((2 * n + 1) * yAlpha));
-  const beta = (wave) => TERMS.map((n) => ofBeta * (n % 2 ? 1 : -1) * wave((2 * n + 2) * yBeta));
-  return {
-    aSine: alpha(Math.sin),
-    aCosine: alpha(Math.cos),
-    bCosine: beta(Math.cos),
-    bSine: beta(Math.sin),
-    constant: ofBeta,
-  };
-}
-
-/**
- * Return cos and sin of the phases that turn A and B at the epoch into the given α and β.
- *
- * Where one of them vanishes its own phase says nothing; its derivative then does, so both are used.
- */
-function constantPhases(top, start, linear, argumentRate) {
-  const [L1, L2, L3] = top.momentum;
-  const root = dd.sqrt(top.size);
-  const [w, x, y, z] = top.quaternion.map((v) => dd.divide(dd.from(v), root)[0]);
-  // 2α' = i a α − w̄ β, 2β' = w α − i a β
-  const given = [
-    [w, z],
-    [x, y],
-  ];
-  const slopes = [
-    [0.5 * (-L3 * z - (L1 * x + L2 * y)), 0.5 * (L3 * w - (L1 * y - L2 * x))],
-    [0.5 * (L1 * w - L2 * z + L3 * y), 0.5 * (L1 * z + L2 * w - L3 * x)],
-  ];
-  const up = dd.timesPowerOfTwo(1, top.lift);
+/** Return cos and sin of the phases that turn A and B at the epoch into the given α and β. */
+function constantPhases(top, sums, linear, argumentRate) {
+  const up = timesPower(1, top.lift);
   const [upA, upB] = top.upright ? [1, up] : [up, 1];
-  const [ar, ai, dar, dai] = [0, 1, 4, 5].map((k) => upA * start[k]);
-  const [br, bi, dbr, dbi] = [2, 3, 6, 7].map((k) => upB * start[k]);
-  const [turnsA, turnsB] = start.slice(8);
-  const square = ar * ar + ai * ai + (br * br + bi * bi);
-  const norm = Math.sqrt(square);
-  const drop = (ar * dar + ai * dai + (br * dbr + bi * dbi)) / square;
-  const size = L1 * L1 + L2 * L2 + L3 * L3 + top.G[0] || 1;
-  const series = [
-    [ar, ai, dar, dai, turnsA],
-    [br, bi, dbr, dbi, turnsB],
-  ];
-  return series.flatMap(([r0, i0, dr, di, turns], k) => {
-    const [r, i, rate] = [r0 / norm, i0 / norm, linear[k]];
-    const sr = argumentRate * (dr / norm - r * drop) - rate * i;
-    const si = argumentRate * (di / norm - i * drop) + rate * r;
-    const [[gr, gi], [er, ei]] = [given[k], slopes[k]];
-    const real = r * gr + i * gi + (sr * er + si * ei) / size;
-    const imaginary = r * gi - i * gr + (sr * ei - si * er) / size;
-    const [c, s] = [Math.cos(2 * Math.PI * turns), Math.sin(2 * Math.PI * turns)];
-    const [u, v] = [real * c + imaginary * s, imaginary * c - real * s];
-    const length = Math.sqrt(u * u + v * v);
-    return length > 0 ? [u / length, v / length] : [1, 0];
-  });
+  const [ar, ai, br, bi, dar, dai, dbr, dbi, turnsA, turnsB] = sums;
+  const lifted = [upA * ar, upA * ai, upB * br, upB * bi, upA * dar, upA * dai, upB * dbr, upB * dbi, turnsA, turnsB];
+  const [x, y, z] = top.momentum;
+  const size = x * x + y * y + z * z + top.G[0] || 1;
+  return setup.constantPhases(top.quaternion, top.size, top.momentum, size, lifted, linear, argumentRate);
 }

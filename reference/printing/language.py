@@ -27,15 +27,18 @@ from printing.tree import (
     Structure,
     Tuple,
     Type,
+    records_in,
 )
 from printing.words import is_word
 
-SCALARS: dict[str, Type] = {"float": NUMBER, "bool": FLAG, "int": WHOLE, "Any": NUMBER}  # or an array
+SCALARS: dict[str, Type] = {
+    "float": NUMBER, "bool": FLAG, "int": WHOLE, "Number": NUMBER, "Truth": FLAG, "Any": NUMBER,
+}  # fmt: skip
 Resolve = Callable[[str], tuple[Source, str] | None]
 
 
 class Root(NamedTuple):
-    """A function that is asked for.
+    """A function, or a constant, that is asked for.
 
     Attributes:
         module, name: where it stands.
@@ -121,17 +124,16 @@ class Reader:
         parameters = {x.arg: self._type_of_parameter(origin, x, node.name) for x in arguments.args}
         if given:
             parameters |= self._asked_of(node, parameters, resolve)
-        body = Body(origin, parameters, resolve, self.find)
+        body = Body(origin, node, parameters, resolve, self.find)
         statements = body.statements(node.body, node.body[0].lineno - 1)
         kinds = set(body.returned)
-        said = None if _is_any(node.returns) else self.type_of(origin, node.returns)
+        is_open = node.returns is None or any(_is_any(x) for x in ast.walk(node.returns))
+        said = None if is_open else self.type_of(origin, node.returns)
         if len(kinds) != 1 or not (said is None or is_assignable(next(iter(kinds)), said)):
             raise NotAFormula(f"{origin.name}, line {node.lineno}: {node.name} returns {kinds}, not {said}")
         result = said if isinstance(said, Record) else kinds.pop()
-        return Function(
-            node.name, ast.get_docstring(node) or "", tuple(parameters.items()), result, statements,
-            frozenset(body.calls),
-        )  # fmt: skip
+        docstring, calls = ast.get_docstring(node) or "", frozenset(body.calls)
+        return Function(node.name, docstring, tuple(parameters.items()), result, statements, calls)
 
     def _asked_of(
         self, node: ast.FunctionDef, parameters: dict[str, Type], resolve: Resolve
@@ -162,15 +164,14 @@ class Reader:
         kind = _type_of_value(value)
         if kind is None or not isinstance(node, ast.Assign | ast.AnnAssign) or node.value is None:
             raise NotAFormula(f"{origin.name}, line {node.lineno}: `{name}` is neither a number nor a tuple of these")
-        return Constant(name, value, kind, _source_of(origin, node, name), origin.notes(node, node.lineno - 1))
+        return Constant(name, value, kind, _source_of(node, name), origin.notes(node, node.lineno - 1))
 
     # ------------------------------------------------------------------ modules
 
     def modules(self) -> Iterator[Module]:
         needed: dict[str, set[str]] = {module: set() for module, _ in self.found}
         for (module, _), found in self.found.items():
-            if isinstance(found, Function):
-                needed[module] |= {there for there, _ in found.calls} - {module, ""}
+            needed[module] |= _modules_of(found) - {module}
         for name in TopologicalSorter(needed).static_order():
             origin = source(name)
             aliases = {
@@ -194,7 +195,17 @@ class Reader:
         yield from copies
 
 
-def _is_any(annotation: ast.expr | None) -> bool:
+def _modules_of(found: Constant | Structure | Function) -> set[str]:
+    match found:
+        case Function(parameters=parameters, type=kind, calls=calls):
+            kinds = (kind, *(each for _, each in parameters))
+            return {there for there, _ in calls if there} | {x.module for each in kinds for x in records_in(each)}
+        case Structure(record):
+            return {x.module for x in records_in(record)}
+    return set()
+
+
+def _is_any(annotation: ast.AST | None) -> bool:
     return isinstance(annotation, ast.Name) and annotation.id == "Any"
 
 
@@ -217,16 +228,11 @@ def _type_of_value(value: object) -> Type | None:
     return None
 
 
-def _source_of(origin: Source, node: ast.Assign | ast.AnnAssign, name: str) -> str:
-    """Return the expression that a constant is computed from; nothing where it is written out."""
+def _source_of(node: ast.Assign | ast.AnnAssign, name: str) -> str:
+    """Return the arithmetic of a constant; nothing where it is written out, or comes from elsewhere."""
     value = node.value
     target = node.targets[0] if isinstance(node, ast.Assign) else node.target
     if isinstance(target, ast.Tuple) and isinstance(value, ast.Tuple):
-        names = [x.id for x in target.elts if isinstance(x, ast.Name)]
-        value = value.elts[names.index(name)]
-    while isinstance(value, ast.Name) and isinstance(before := origin.defined.get(value.id), ast.Assign):
-        value = before.value
-    written = {ast.Constant, ast.Tuple, ast.UnaryOp, ast.USub, ast.Load, ast.Attribute, ast.Name}
-    if value is None or {type(x) for x in ast.walk(value)} <= written:
-        return ""
-    return ast.unparse(value)
+        value = value.elts[[x.id for x in target.elts if isinstance(x, ast.Name)].index(name)]
+    parts = {type(x) for x in ast.walk(value)} if value else set()
+    return ast.unparse(value) if value and ast.BinOp in parts and ast.Name not in parts else ""

@@ -35,7 +35,7 @@ class Source:
     def __init__(self, name: str) -> None:
         self.name = name
         self.module = import_module(name)
-        text = Path(str(self.module.__file__)).read_text("utf-8")
+        text = text_of(Path(str(self.module.__file__)))
         self.tree = ast.parse(text)
         self.docstring = ast.get_docstring(self.tree) or ""
         self.comments = _comments(text)
@@ -76,6 +76,10 @@ class Source:
         """Return the title between two lines, if there is one."""
         found = [SECTION.match(self.comments[k].text) for k in range(first, last) if k in self.comments]
         return next((x[1] for x in found if x), None)
+
+
+def text_of(path: Path) -> str:
+    return path.read_text("utf-8")
 
 
 @cache

@@ -67,6 +67,7 @@ class Body:
 
     Args:
         origin: the module that it stands in.
+        node: its Python.
         parameters: name → type.
         resolve: a name of the module → where it is defined.
         find: of a module and a name defined there what it is: a ``Function``, ``Record`` or ``Constant``.
@@ -75,6 +76,7 @@ class Body:
     def __init__(
         self,
         origin: Source,
+        node: ast.FunctionDef,
         parameters: dict[str, Type],
         resolve: Callable[[str], tuple[Source, str] | None],
         find: Callable[[Source, str], Function | Record | Constant],
@@ -83,6 +85,8 @@ class Body:
         self.types = dict(parameters)
         self.calls: set[tuple[str, str]] = set()
         self.returned: list[Type] = []
+        self.loops: list[Statement] = []  # that come before the statement that is being read
+        self.names = {x.id for x in ast.walk(node) if isinstance(x, ast.Name)} | {*parameters}
 
     def refuse(self, node: ast.AST, why: str) -> NoReturn:
         line = getattr(node, "lineno", 0)
@@ -94,7 +98,9 @@ class Body:
         """Return the statements of a block, which begins after a line."""
         found: list[Statement] = []
         for node in nodes:
-            found += self._statement(node, after)
+            statements = [*self._statement(node, after)]
+            found += [*self.loops, *statements]
+            self.loops.clear()
             after = node.end_lineno or node.lineno
         return tuple(found)
 
@@ -125,6 +131,8 @@ class Body:
 
     def _if(self, node: ast.If, after: int) -> If:
         test = self._condition(node.test)
+        if self.loops:
+            self.refuse(node.test, "a loop in a condition")
         notes = self._notes_of_head(node, node.test, after)
         known = dict(self.types)
         body = self.statements(node.body, node.test.end_lineno or node.lineno)
@@ -188,7 +196,8 @@ class Body:
             case ast.Constant(value=float() as value):
                 return Literal(value, NUMBER)
             case ast.Name(id=name):
-                return Name(name, self.types[name]) if name in self.types else self._global(node, name)
+                found = self.types.get(name)
+                return Name(name, found) if found else self._global(node, name)
             case ast.Attribute(value=ast.Name(id="math"), attr=name) if name in CONSTANTS:
                 return Global(name, "math", NUMBER)
             case ast.Attribute(value=value, attr=name):
@@ -205,15 +214,15 @@ class Body:
                 return Unary("not", self._condition(operand), FLAG)
             case ast.BinOp(left=left, op=op, right=right) if type(op) in ARITHMETIC_OF:
                 return self._arithmetic(node, ARITHMETIC_OF[type(op)], self.expression(left), self.expression(right))
+            case ast.BinOp(left=left, op=ast.BitAnd() | ast.BitOr() as op, right=right):
+                word = "and" if isinstance(op, ast.BitAnd) else "or"
+                return Binary(word, self._condition(left), self._condition(right), FLAG)
             case ast.BoolOp(op=op, values=values):
                 return self._joined("and" if isinstance(op, ast.And) else "or", [self._condition(x) for x in values])
             case ast.Compare():
                 return self._comparison(node)
             case ast.IfExp(test=test, body=body, orelse=otherwise):
-                yes, no = self.expression(body), self.expression(otherwise)
-                if yes.type != no.type:
-                    self.refuse(node, "two types")
-                return Choice(self._condition(test), yes, no, yes.type)
+                return self._choice(node, test, self.expression(body), self.expression(otherwise))
             case ast.Call():
                 return self._call(node)
         self.refuse(node, "no expression of a formula")
@@ -282,6 +291,11 @@ class Body:
             Binary(COMPARISON_OF[type(op)], *two, FLAG) for op, two in zip(node.ops, pairwise(sides), strict=True)
         ])  # fmt: skip
 
+    def _choice(self, node: ast.expr, test: ast.expr, yes: Expression, no: Expression) -> Choice:
+        if yes.type != no.type:
+            self.refuse(node, "two types")
+        return Choice(self._condition(test), yes, no, yes.type)
+
     def _call(self, node: ast.Call) -> Expression:
         match node.func:
             case ast.Attribute(value=ast.Name(id="math"), attr=name) if name in WORDS:
@@ -296,17 +310,56 @@ class Body:
 
     def _call_of(self, node: ast.Call, place: tuple[Source, str]) -> Expression:
         found = self.find(*place)
-        self.calls.add((place[0].name, place[1]))
         if isinstance(found, Record):
             return Make(self._arguments(node, found.fields), found)
         if isinstance(found, Function):
+            self.calls.add((place[0].name, place[1]))
             return Call(found.name, place[0].name, self._arguments(node, found.parameters), found.type)
         self.refuse(node, "no function")
 
-    def _word(self, node: ast.Call, name: str) -> Call:
+    def _word(self, node: ast.Call, name: str) -> Expression:
+        match name, node.args:
+            case "where" | "choice", [test, yes, no]:
+                return self._choice(node, test, self.expression(yes), self.expression(no))
+            case "choose", [test, ast.Name() as yes, ast.Name() as no, values]:
+                calls = (self.expression(ast.copy_location(ast.Call(f, [values], []), node)) for f in (yes, no))
+                return self._choice(node, test, *calls)
+            case "constant", [value, _]:
+                return self.expression(value)
+            case "negation", [operand]:
+                return Unary("not", self._condition(operand), FLAG)
+            case "iterate", [count, step, state]:
+                return self._iterated(step, state, count)
+            case "iterate_until", [step, finished, state, at_once, most]:
+                return self._iterated(step, state, most, finished, at_once)
         parameters, result = WORDS[name]
         self.calls.add(("", name))
         return Call(name, "", self._arguments(node, tuple((str(k), x) for k, x in enumerate(parameters))), result)
+
+    def _iterated(
+        self, step: ast.expr, start: ast.expr, most: ast.expr,
+        finished: ast.expr | None = None, at_once: ast.expr | None = None,
+    ) -> Name:  # fmt: skip
+        """Return the variable in which a loop leaves its state; the loop comes before the statement."""
+        name, k = self._unused("running"), self._unused("k")
+        state = ast.copy_location(ast.Name(name, ast.Load()), start)
+        called = lambda function: ast.copy_location(ast.Call(function, [state], []), start)  # noqa: E731
+        first = self._assignment(ast.copy_location(ast.Name(name, ast.Store()), start), self.expression(start), Notes())
+        body: list[Statement] = []
+        if finished and at_once:
+            counted = Binary(">=", Name(k, WHOLE), self.expression(at_once), FLAG)
+            ended = Binary("and", counted, self._condition(called(finished)), FLAG)
+            body.append(If(ended, (Leave(),), ()))
+        body.append(self._assignment(ast.copy_location(ast.Name(name, ast.Store()), start),
+                                     self.expression(called(step)), Notes()))  # fmt: skip
+        self.loops += [first, Repeat(k, Literal(0, WHOLE), self.expression(most), tuple(body))]
+        return Name(name, self.types[name])
+
+    def _unused(self, name: str) -> str:
+        while name in self.names:
+            name += "_"
+        self.names.add(name)
+        return name
 
     def _arguments(self, node: ast.Call, parameters: tuple[tuple[str, Type], ...]) -> tuple[Expression, ...]:
         named = {str(x.arg): self.expression(x.value) for x in node.keywords}

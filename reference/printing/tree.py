@@ -10,6 +10,7 @@ or tuple has become items, and ``a, b = x, y`` is two assignments where the seco
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 # ---------------------------------------------------------------------- types
@@ -51,6 +52,14 @@ def items_of(kind: Type) -> tuple[Type, ...]:
     if isinstance(kind, Record):
         return tuple(each for _, each in kind.fields)
     raise TypeError(f"{kind} has no items")
+
+
+def records_in(kind: Type) -> Iterator[Record]:
+    """Yield the records that a type is or has, each after those that it has."""
+    for each in () if isinstance(kind, Scalar | Row) else items_of(kind):
+        yield from records_in(each)
+    if isinstance(kind, Record):
+        yield kind
 
 
 # ---------------------------------------------------------------------- expressions
@@ -241,7 +250,7 @@ class Function:
     parameters: tuple[tuple[str, Type], ...]
     type: Type
     body: tuple[Statement, ...]
-    calls: frozenset[tuple[str, str]]  # (module, name) of all that it takes from modules; module "" for words
+    calls: frozenset[tuple[str, str]]  # (module, name) of functions and constants that it takes; module "" for words
 
 
 @dataclass(frozen=True)

@@ -99,12 +99,12 @@ def test_extremes(answers, language):
 
 
 BROKEN = [
-    ("javascript", "elliptic.js", "1 + e4 * (2 + e4", "1 + e4 * (3 + e4", "nome"),
-    ("javascript", "free_series.js", "q4 * r * r];", "q4 * r * r * 1.01];", "full form of the body"),
-    ("javascript", "free_series.js", "growBy *= q;", "growBy *= 1.01 * q;", "complementary form of the body"),
-    ("javascript", "top_state.js", "qr *= q * q;", "qr *= 1.01 * q * q;", "complementary form of the top"),
-    ("javascript", "phase.js", "+ rate[2] * (high + low)", "", "low words of rates"),
-    ("javascript", "phase.js", " + (rate[0] + rate[1]) * time[2]", "", "rest of the time"),
+    ("javascript", "formulas/formulas.js", "1 + e4 * (2 + e4", "1 + e4 * (3 + e4", "nome"),
+    ("javascript", "formulas/free_body_setup.js", "q4 * r2;", "q4 * r2 * 1.01;", "full form of the body"),
+    ("javascript", "formulas/free_body.js", "g1 * g1 * q;", "g1 * g1 * q * 1.01;", "complementary form of the body"),
+    ("javascript", "formulas/lagrange_top.js", "w1 = q * r;", "w1 = 1.01 * q * r;", "complementary form of the top"),
+    ("javascript", "formulas/arithmetic.js", " + least * (high + low)", "", "low words of rates"),
+    ("javascript", "formulas/arithmetic.js", " + (upper + lower) * rest", "", "rest of the time"),
     ("c", "polhode.h", "1.0 + e4 * (2.0 + e4", "1.0 + e4 * (3.0 + e4", "nome"),
     ("c", "polhode.h", "grow_by *= q;", "grow_by *= 1.01 * q;", "complementary form of the body"),
     ("c", "polhode.h", "qr *= q2;", "qr *= 1.01 * q2;", "complementary form of the top"),

@@ -129,7 +129,7 @@ def by_balls(motions):
 
 IMPLEMENTATIONS = {
     "NumPy": Implementation(under(numpy_alone, at_once)),
-    "Python, one by one": Implementation(one_by_one, by_default=5, is_swept=False, kernels=("state_at",)),
+    "Python, one by one": Implementation(one_by_one, by_default=5, is_swept=False, kernels=("set_up_one", "state_at")),
     "kernels, by Python": Implementation(under(python_alone, at_once), by_default=10, is_swept=False),
     "kernels, by Numba": Implementation(
         under(compiled_alone, at_once), is_long=True, kernels=("set_up", "states_of_many")),
@@ -140,7 +140,7 @@ IMPLEMENTATIONS = {
     "XLA, jit": Implementation(partial(by_jax, where="compiled", mapped=False), by_default=0, way="compiled"),
     "XLA, vmap": Implementation(partial(by_jax, where="compiled", mapped=True), by_default=0, way="compiled"),
     "XLA, one by one": Implementation(by_xla_one_by_one, by_default=0, way="compiled"),
-    "JavaScript": Implementation(by_javascript, files=("*.js",), needs=NODE),
+    "JavaScript": Implementation(by_javascript, files=("*.js", "formulas/*.js"), needs=NODE),
     "C": Implementation(by_c, files=("polhode.h",), needs=COMPILER),
     "balls": Implementation(by_balls, by_default=2, is_swept=False),
 }  # fmt: skip

@@ -1,0 +1,48 @@
+"""The files of JavaScript that are printed, and of which formulas."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from printing.javascript import print_file
+from printing.language import Root, read
+
+FOLDER = Path(__file__).parents[1] / "formulas"
+WORDS = "../words.js"
+EXACT = "polhode.exact."
+FILES = {
+    EXACT + "_kernel_arithmetic": "arithmetic.js",
+    "polhode.special._doubledouble": "arithmetic.js",
+    EXACT + "_formulas": "formulas.js",
+    EXACT + "free_body._formulas": "free_body.js",
+    EXACT + "free_body._formulas_rates": "free_body_rates.js",
+    EXACT + "free_body._formulas_reduction": "free_body_reduction.js",
+    EXACT + "free_body._formulas_setup": "free_body_setup.js",
+    EXACT + "lagrange_top._formulas": "lagrange_top.js",
+    EXACT + "lagrange_top._formulas_setup": "lagrange_top_setup.js",
+}
+ARITHMETIC = ["two_sum", "two_product", "halves", "add", "subtract", "multiply", "multiply_float", "square", "scale",
+              "divide", "root", "root_or_zero"]  # fmt: skip
+OF_BOTH = ["nome_per_parameter", "mean_step", "mean_distance", "mean_closed"]
+OF_TOP = ["start_of_alpha", "start_of_beta", "drift", "spin", "turns_per_time", "half_periods", "periods", "full_terms",
+          "full_sizes", "complementary_series", "constant_phases", "ZERO"]  # fmt: skip
+ROOTS = [
+    *(Root(EXACT + "_kernel_arithmetic", name) for name in ARITHMETIC),
+    Root("polhode.special._doubledouble", "LN2"),
+    *(Root(EXACT + "_formulas", name) for name in OF_BOTH),
+    Root(EXACT + "free_body._formulas_reduction", "reduction"),
+    Root(EXACT + "free_body._formulas_rates", "frequencies"),
+    Root(EXACT + "free_body._formulas_setup", "motion_of"),
+    Root(EXACT + "free_body._formulas_setup", "axes_of"),
+    *(Root(EXACT + "lagrange_top._formulas_setup", name) for name in OF_TOP),
+    *(Root(EXACT + "_kernel_loops", "state_at", f"{EXACT}{each}._formulas") for each in ("free_body", "lagrange_top")),
+]
+
+
+def javascript_files() -> dict[Path, str]:
+    """Return path → text of all files."""
+    modules = read(ROOTS)
+    return {
+        FOLDER / name: print_file([x for x in modules if FILES[x.name] == name], FILES, WORDS)
+        for name in dict.fromkeys(FILES.values())
+    }
