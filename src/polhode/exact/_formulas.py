@@ -127,10 +127,10 @@ def mean_start(a: Pair, g: Pair, pp: Pair) -> tuple[Mean, float]:
 
     Rates go down to 1e-150, whose fourth powers would underflow. Scaled down, a tiny g would.
     """
-    exponent = smaller(binary_exponent(a[0]), 0.0 * a[0])
-    up = times_power(1.0, -exponent)
+    power = smaller(binary_exponent(a[0]), 0.0 * a[0])
+    up = times_power(1.0, -power)
     one = constant((1.0, 0.0), a[0])
-    return (scale(a, up), scale(g, up), scale(scale(pp, up), up), one, one), exponent
+    return (scale(a, up), scale(g, up), scale(scale(pp, up), up), one, one), power
 
 
 def mean_next(state: Mean) -> Mean:
@@ -153,6 +153,6 @@ def mean_end(state: Mean) -> tuple[Pair, Pair]:
 
 def third_kind_mean(a: Pair, g: Pair, pp: Pair) -> tuple[Pair, Pair]:
     """Return agm(a, g) of positive numbers, and the sum that starts from p² = pp."""
-    state, exponent = mean_start(a, g, pp)
+    state, power = mean_start(a, g, pp)
     mean, total = mean_end(iterate_until(mean_next, mean_converged, state, AT_ONCE, MOST_STEPS))
-    return scale(mean, times_power(1.0, exponent)), total
+    return scale(mean, times_power(1.0, power)), total

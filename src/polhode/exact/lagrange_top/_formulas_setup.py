@@ -283,9 +283,9 @@ def constant_phases(
     a = 0.5 * (-z * q3 - (x * q1 + y * q2)), 0.5 * (z * q0 - (x * q2 - y * q1))
     b = 0.5 * (x * q0 - y * q3 + z * q2), 0.5 * (x * q3 + y * q0 - z * q1)
     ar, ai, br, bi, dar, dai, dbr, dbi, turns_a, turns_b = sums
-    square = (ar * ar + ai * ai) + (br * br + bi * bi)
-    norm = square_root(square)
-    drop = ((ar * dar + ai * dai) + (br * dbr + bi * dbi)) / square
+    length2 = (ar * ar + ai * ai) + (br * br + bi * bi)
+    norm = square_root(length2)
+    drop = ((ar * dar + ai * dai) + (br * dbr + bi * dbi)) / length2
     c0, s0 = _constant_phase(ar, ai, dar, dai, turns_a, linear[0], (q0, q3), a, norm, drop, turn, size)
     c1, s1 = _constant_phase(br, bi, dbr, dbi, turns_b, linear[1], (q1, q2), b, norm, drop, turn, size)
     return c0, s0, c1, s1
