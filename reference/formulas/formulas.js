@@ -117,10 +117,10 @@ export function meanClosed(x, e, middle, q, total) {
  * Rates go down to 1e-150, whose fourth powers would underflow. Scaled down, a tiny g would.
  */
 export function meanStart(a, g, pp) {
-  const exponent = smaller(binaryExponent(a[0]), 0 * a[0]);
-  const up = timesPower(1, -exponent);
+  const power = smaller(binaryExponent(a[0]), 0 * a[0]);
+  const up = timesPower(1, -power);
   const one = [1, 0];
-  return [[scale(a, up), scale(g, up), scale(scale(pp, up), up), one, one], exponent];
+  return [[scale(a, up), scale(g, up), scale(scale(pp, up), up), one, one], power];
 }
 
 /** Return the mean after a step. */
@@ -143,12 +143,12 @@ export function meanEnd(state) {
 
 /** Return agm(a, g) of positive numbers, and the sum that starts from p² = pp. */
 export function thirdKindMean(a, g, pp) {
-  const { 0: state, 1: exponent } = meanStart(a, g, pp);
+  const { 0: state, 1: power } = meanStart(a, g, pp);
   let running = state;
   for (let k = 0; k < MOST_STEPS; k++) {
     if (k >= AT_ONCE && meanConverged(running)) break;
     running = meanNext(running);
   }
   const { 0: mean, 1: total } = meanEnd(running);
-  return [scale(mean, timesPower(1, exponent)), total];
+  return [scale(mean, timesPower(1, power)), total];
 }

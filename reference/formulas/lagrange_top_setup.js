@@ -177,9 +177,9 @@ export function constantPhases(quaternion, norm2, momentum, size, sums, linear, 
   const a = [0.5 * (-z * q3 - (x * q1 + y * q2)), 0.5 * (z * q0 - (x * q2 - y * q1))];
   const b = [0.5 * (x * q0 - y * q3 + z * q2), 0.5 * (x * q3 + y * q0 - z * q1)];
   const { 0: ar, 1: ai, 2: br, 3: bi, 4: dar, 5: dai, 6: dbr, 7: dbi, 8: turnsA, 9: turnsB } = sums;
-  const square = ar * ar + ai * ai + (br * br + bi * bi);
-  const norm = Math.sqrt(square);
-  const drop = (ar * dar + ai * dai + (br * dbr + bi * dbi)) / square;
+  const length2 = ar * ar + ai * ai + (br * br + bi * bi);
+  const norm = Math.sqrt(length2);
+  const drop = (ar * dar + ai * dai + (br * dbr + bi * dbi)) / length2;
   const { 0: c0, 1: s0 } = _constantPhase(ar, ai, dar, dai, turnsA, linear[0], [q0, q3], a, norm, drop, turn, size);
   const { 0: c1, 1: s1 } = _constantPhase(br, bi, dbr, dbi, turnsB, linear[1], [q1, q2], b, norm, drop, turn, size);
   return [c0, s0, c1, s1];
