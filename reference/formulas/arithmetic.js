@@ -58,9 +58,9 @@ export function sineCosine(x) {
   const s = r * (S0 + z * (S1 + z * (S2 + z * (S3 + z * (S4 + z * (S5 + z * (S6 + z * (S7 + z * S8))))))));
   const c = C0 + z * (C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * (C6 + z * (C7 + z * (C8 + z * C9))))))));
   const n = quarter - 4 * Math.floor(0.25 * quarter);
-  const odd = (n === 1) || (n === 3);
+  const odd = n === 1 || n === 3;
   const { 0: a, 1: b } = odd ? [c, s] : [s, c];
-  return [n >= 2 ? -a : a, (n === 1) || (n === 2) ? -b : b];
+  return [n >= 2 ? -a : a, n === 1 || n === 2 ? -b : b];
 }
 
 export function halves(x) {

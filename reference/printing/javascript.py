@@ -43,7 +43,8 @@ from printing.tree import (
 STEP = 2
 OPERATORS = {"==": "===", "!=": "!==", "and": "&&", "or": "||"}
 STRENGTH = {"||": 1, "&&": 2, "===": 3, "!==": 3, "<": 4, ">": 4, "<=": 4, ">=": 4, "+": 5, "-": 5, "*": 6, "/": 6}
-CLEARER = {"||", "===", "!=="}
+COMPARISONS = ("===", "!==", "<", ">", "<=", ">=")
+CLEARER = {"||": ("&&",), "===": COMPARISONS, "!==": COMPARISONS}
 CHOICE, UNARY, ATOM = 0, 7, 9  # strengths beside these: what binds less is put in parentheses
 WORDS = {
     "square_root": "Math.sqrt", "exponential": "Math.exp", "floor": "Math.floor", "abs": "Math.abs",
@@ -336,10 +337,8 @@ def _expression(value: Expression) -> tuple[Document, int]:
 
 def _operand(sign: str, value: Expression, around: int) -> Document:
     """Return one side of an operator; "and" in "or", and a comparison in another, get parentheses for the reader."""
-    if isinstance(value, Binary) and sign in CLEARER:
-        inner = OPERATORS.get(value.operator, value.operator)
-        around = ATOM if inner != sign and STRENGTH[inner] < STRENGTH["+"] else around
-    return expression(value, around)
+    inner = OPERATORS.get(value.operator, value.operator) if isinstance(value, Binary) else ""
+    return expression(value, ATOM if inner in CLEARER.get(sign, ()) else around)
 
 
 def _entry(name: str, value: Expression) -> Document:

@@ -15,6 +15,7 @@ FILES = {
     "polhode.special._doubledouble": "arithmetic.js",
     EXACT + "_formulas": "formulas.js",
     EXACT + "free_body._formulas": "free_body.js",
+    EXACT + "free_body._formulas_numbers": "free_body_numbers.js",
     EXACT + "free_body._formulas_rates": "free_body_rates.js",
     EXACT + "free_body._formulas_reduction": "free_body_reduction.js",
     EXACT + "free_body._formulas_setup": "free_body_setup.js",
@@ -34,6 +35,7 @@ ROOTS = [
     Root(EXACT + "free_body._formulas_rates", "frequencies"),
     Root(EXACT + "free_body._formulas_setup", "motion_of"),
     Root(EXACT + "free_body._formulas_setup", "axes_of"),
+    Root(EXACT + "free_body._formulas_numbers", "numbers"),
     *(Root(EXACT + "lagrange_top._formulas_setup", name) for name in OF_TOP),
     *(Root(EXACT + "_kernel_loops", "state_at", f"{EXACT}{each}._formulas") for each in ("free_body", "lagrange_top")),
 ]
