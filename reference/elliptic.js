@@ -1,6 +1,6 @@
 // The arithmetic–geometric mean with its third-kind sum, and Carlson's R_F.
 import * as dd from "./formulas/arithmetic.js";
-import { meanClosed, meanDistance, meanStep } from "./formulas/formulas.js";
+import { meanClosed, meanDistance, meanStep } from "./formulas/common.js";
 import { binaryExponent } from "./words.js";
 
 const CONVERGED = 2e-8; // the closing formulas leave an error of the fourth power

@@ -4,7 +4,7 @@
 // Kreisels, ch. VI). The full form (m ≤ ½) is trigonometric in z, the complementary form (m > ½) exponential.
 import { firstKind } from "./elliptic.js";
 import * as dd from "./formulas/arithmetic.js";
-import { nomePerParameter } from "./formulas/formulas.js";
+import { nomePerParameter } from "./formulas/common.js";
 import { complementaryPhase, complementarySums, fullSums } from "./formulas/lagrange_top.js";
 import * as setup from "./formulas/lagrange_top_setup.js";
 import { climb } from "./top_rates.js";

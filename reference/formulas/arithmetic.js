@@ -1,15 +1,13 @@
 // Printed from src/polhode/exact/_kernel_arithmetic.py, src/polhode/special/_doubledouble.py by `python -m printing`:
 // change that, and print again.
 //
-// Arithmetic of the kernels: double-double numbers, phases, and storage.
+// Double-double arithmetic, sines of turns, and phases reduced to a fraction of a turn.
 //
-// Kernels are functions of single numbers, written once. Python runs them as they are, for one body at few times,
-// without anything that has to be loaded; for many, `_base.compiled` has Numba compile them. Both give the same bits:
-// the arithmetic is that of `special._doubledouble` and `special._circular`, exact where these are; nothing is
-// contracted.
+// Sources: Dekker, Numer. Math. 18 (1971) 224; Hida, Li & Bailey, ARITH-15 (2001).
 
 export const ROUNDING = 6755399441055744; // 1.5 · 2⁵²: added and taken away again, it leaves the nearest whole number
 export const SPLITTING = 134217729; // 2²⁷ + 1
+// of the power series of sin 2πx and cos 2πx
 export const S0 = 6.283185307179586;
 export const S1 = -41.341702240399755;
 export const S2 = 81.60524927607504;

@@ -7,9 +7,9 @@
 // the smaller of the two nomes: the full form (m ≤ ½) is trigonometric in the polhode angle, the complementary form
 // (m > ½) exponential. The rest is a constant 4×4 matrix.
 
-import { larger } from "./../words.js";
+import { larger } from "../words.js";
 import { halves, phase, sineCosine, whole } from "./arithmetic.js";
-import { exponent, reducedArgument } from "./formulas.js";
+import { exponent, reducedArgument } from "./common.js";
 
 /**
  * All that evaluation needs of a body: numbers, or arrays with one for each of many.

@@ -18,7 +18,7 @@ import {
   subtract,
   twoProduct,
 } from "./arithmetic.js";
-import { thirdKindMean } from "./formulas.js";
+import { thirdKindMean } from "./common.js";
 
 /**
  * Rates times V in canonical scaled units, and the regime of the body.

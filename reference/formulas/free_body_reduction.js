@@ -7,7 +7,7 @@
 // mirror in which time runs backward (long-axis mode), and a half turn about the second axis. One set of formulas then
 // serves all. Source: van Zon & Schofield, J. Comput. Phys. 225 (2007) 145, with the cancellations removed.
 
-import { binaryExponent, larger, smaller, timesPower } from "./../words.js";
+import { binaryExponent, larger, smaller, timesPower } from "../words.js";
 import {
   add,
   multiply,

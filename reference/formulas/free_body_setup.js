@@ -5,7 +5,7 @@
 // The arguments come by descending Landen transformation from tangents and hyperbolic sines that are ratios of the
 // invariants, so neither elliptic integrals nor logarithms enter the full form. Source: DLMF §22.7.
 
-import { larger, smaller } from "./../words.js";
+import { larger, smaller } from "../words.js";
 import {
   add,
   divide,
@@ -20,14 +20,13 @@ import {
   square,
   whole,
 } from "./arithmetic.js";
-import { byTheta, nomePerParameter } from "./formulas.js";
+import { byTheta, nomePerParameter } from "./common.js";
 import { complementaryPhase, complementarySums, fullSums } from "./free_body.js";
 import { phaseRates } from "./free_body_rates.js";
 
 // 2.0 ** (-400); a sine above the inverse of the first is scaled by the second
 export const HUGE_INVERSE = 3.8725919148493183e-121;
-// 2.0 ** (-200); a sine above the inverse of the first is scaled by the second
-export const HUGE_SCALE = 6.223015277861142e-61;
+export const HUGE_SCALE = 6.223015277861142e-61; // 2.0 ** (-200)
 export const LOG_OF_SCALE = [138.62943611198907, -3.3555121496085278e-15]; // 200 ln 2
 export const NINE_ZEROS = [0, 0, 0, 0, 0, 0, 0, 0, 0];
 export const SIXTEEN_ZEROS = [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];

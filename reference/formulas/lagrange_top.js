@@ -6,9 +6,9 @@
 // Kreisels*, ch. VI). The full form (m ≤ ½) is trigonometric in z, the complementary form (m > ½) exponential. As
 // |α|² + |β|² = 1 the common denominator is not needed, and w = 2(ᾱβ̇ − βᾱ̇) needs no derivative of it.
 
-import { larger } from "./../words.js";
+import { larger } from "../words.js";
 import { halves, phase, sineCosine, whole } from "./arithmetic.js";
-import { exponent, reducedArgument } from "./formulas.js";
+import { exponent, reducedArgument } from "./common.js";
 
 /**
  * All that evaluation needs of a top: numbers, or arrays with one for each of many.

@@ -20,7 +20,7 @@ import {
   twoSum,
   whole,
 } from "./arithmetic.js";
-import { byTheta } from "./formulas.js";
+import { byTheta } from "./common.js";
 
 export const ONE = [1, 0];
 export const ZERO = [0, 0];

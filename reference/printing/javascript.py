@@ -56,17 +56,19 @@ CONSTANTS = {"pi": "Math.PI", "nan": "NaN", "inf": "Infinity"}
 IDENTIFIER = re.compile(r"``([a-z_]\w*)``")
 
 
-def print_file(modules: Sequence[Module], files: Mapping[str, str], words: str) -> str:
+def print_file(modules: Sequence[Module], files: Mapping[str, str], words: str, about: str = "") -> str:
     """Return the text of a file.
 
     Args:
         modules: that it has.
-        files: name of a module → name of its file.
+        files: name of a module → name of its file, from the folder on.
         words: name of the file of words.
+        about: what the file has; else the first module's docstring says so.
     """
     here = files[modules[0].name]
     sources = ", ".join("src/" + module.name.replace(".", "/") + ".py" for module in modules)
-    said = f"Printed from {sources} by `python -m printing`: change that, and print again.\n\n{modules[0].docstring}"
+    said = f"Printed from {sources} by `python -m printing`: change that, and print again.\n\n"
+    said += about or modules[0].docstring
     parts = ["\n".join(_comment(said)), *_imports(modules, files, here, words)]
     for module in modules:
         parts += [_definition(each) for each in _in_groups(module.definitions)]
@@ -85,7 +87,7 @@ def _imports(modules: Sequence[Module], files: Mapping[str, str], here: str, wor
     lines = []
     for file in sorted(taken):
         names = enclosed("{", sorted(taken[file], key=str.lower), "}", " ")
-        lines.append(laid_out(("import ", names, f' from "./{file}";'), STEP))
+        lines.append(laid_out(("import ", names, f' from "{file}";'), STEP))
     if lines:
         yield "\n".join(lines)
 

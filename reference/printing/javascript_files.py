@@ -11,17 +11,23 @@ FOLDER = Path(__file__).parents[1] / "formulas"
 WORDS = "../words.js"
 EXACT = "polhode.exact."
 FILES = {
-    EXACT + "_kernel_arithmetic": "arithmetic.js",
-    "polhode.special._doubledouble": "arithmetic.js",
-    EXACT + "_formulas": "formulas.js",
-    EXACT + "free_body._formulas": "free_body.js",
-    EXACT + "free_body._formulas_numbers": "free_body_numbers.js",
-    EXACT + "free_body._formulas_rates": "free_body_rates.js",
-    EXACT + "free_body._formulas_reduction": "free_body_reduction.js",
-    EXACT + "free_body._formulas_setup": "free_body_setup.js",
-    EXACT + "lagrange_top._formulas": "lagrange_top.js",
-    EXACT + "lagrange_top._formulas_setup": "lagrange_top_setup.js",
+    EXACT + "_kernel_arithmetic": "./arithmetic.js",
+    "polhode.special._doubledouble": "./arithmetic.js",
+    EXACT + "_formulas": "./common.js",
+    EXACT + "free_body._formulas": "./free_body.js",
+    EXACT + "free_body._formulas_numbers": "./free_body_numbers.js",
+    EXACT + "free_body._formulas_rates": "./free_body_rates.js",
+    EXACT + "free_body._formulas_reduction": "./free_body_reduction.js",
+    EXACT + "free_body._formulas_setup": "./free_body_setup.js",
+    EXACT + "lagrange_top._formulas": "./lagrange_top.js",
+    EXACT + "lagrange_top._formulas_setup": "./lagrange_top_setup.js",
 }
+ABOUT = {
+    "./arithmetic.js": "Double-double arithmetic, sines of turns, and phases reduced to a fraction of a turn.\n\n"
+                       "Sources: Dekker, Numer. Math. 18 (1971) 224; Hida, Li & Bailey, ARITH-15 (2001).",
+    "./common.js": "Formulas of both motions: arguments in half periods, the nome, the arithmetic–geometric mean.",
+}  # fmt: skip
+"""What is said of files whose modules speak of Python."""
 ARITHMETIC = ["two_sum", "two_product", "halves", "add", "subtract", "multiply", "multiply_float", "square", "scale",
               "divide", "root", "root_or_zero"]  # fmt: skip
 OF_BOTH = ["nome_per_parameter", "mean_step", "mean_distance", "mean_closed"]
@@ -45,6 +51,6 @@ def javascript_files() -> dict[Path, str]:
     """Return path → text of all files."""
     modules = read(ROOTS)
     return {
-        FOLDER / name: print_file([x for x in modules if FILES[x.name] == name], FILES, WORDS)
+        FOLDER / name: print_file([x for x in modules if FILES[x.name] == name], FILES, WORDS, ABOUT.get(name, ""))
         for name in dict.fromkeys(FILES.values())
     }

@@ -22,6 +22,7 @@ from printing.tree import (
     Definition,
     Function,
     Module,
+    Notes,
     Record,
     Section,
     Structure,
@@ -164,7 +165,10 @@ class Reader:
         kind = _type_of_value(value)
         if kind is None or not isinstance(node, ast.Assign | ast.AnnAssign) or node.value is None:
             raise NotAFormula(f"{origin.name}, line {node.lineno}: `{name}` is neither a number nor a tuple of these")
-        return Constant(name, value, kind, _source_of(node, name), origin.notes(node, node.lineno - 1))
+        target = node.targets[0] if isinstance(node, ast.Assign) else node.target
+        is_first = name == next(x.id for x in ast.walk(target) if isinstance(x, ast.Name))
+        notes = origin.notes(node, origin.line_above(node.lineno)) if is_first else Notes()
+        return Constant(name, value, kind, _source_of(node, name), notes)
 
     # ------------------------------------------------------------------ modules
 

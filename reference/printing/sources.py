@@ -69,8 +69,14 @@ class Source:
         end = node.end_lineno or node.lineno
         lines = [(k, self.comments[k]) for k in range(after + 1, end + 1) if k in self.comments]
         above = tuple(x.text for _, x in lines if x.stands_alone and not SECTION.match(x.text))
-        beside = " ".join(x.text for _, x in lines if not x.stands_alone and _ >= node.lineno)
+        beside = " ".join(x.text for k, x in lines if not x.stands_alone and k >= node.lineno)
         return Notes(above, beside)
+
+    def line_above(self, line: int) -> int:
+        """Return the last line before those that are comments right above a line."""
+        while line - 1 in self.comments and self.comments[line - 1].stands_alone:
+            line -= 1
+        return line - 1
 
     def section(self, first: int, last: int) -> str | None:
         """Return the title between two lines, if there is one."""

@@ -99,7 +99,7 @@ def test_extremes(answers, language):
 
 
 BROKEN = [
-    ("javascript", "formulas/formulas.js", "1 + e4 * (2 + e4", "1 + e4 * (3 + e4", "nome"),
+    ("javascript", "formulas/common.js", "1 + e4 * (2 + e4", "1 + e4 * (3 + e4", "nome"),
     ("javascript", "formulas/free_body_setup.js", "q4 * r2;", "q4 * r2 * 1.01;", "full form of the body"),
     ("javascript", "formulas/free_body.js", "g1 * g1 * q;", "g1 * g1 * q * 1.01;", "complementary form of the body"),
     ("javascript", "formulas/lagrange_top.js", "w1 = q * r;", "w1 = 1.01 * q * r;", "complementary form of the top"),

@@ -1,26 +1,8 @@
 // Printed from src/polhode/exact/_formulas.py by `python -m printing`: change that, and print again.
 //
-// Formulas of both motions, each written once, over the functions of `kernelArithmetic`: the *words*.
-//
-// Python runs them with single numbers. Copies are made for Numba, with `compiledArithmetic`, and for arrays of NumPy
-// or JAX, with `arrayArithmetic`; other languages are printed from them. So they are written in a small language, which
-// is that of all files named `_formulas`:
-//
-// * A value is a double, whether something holds, or a tuple of values. Records are classes of `NamedTuple` with
-//   annotated fields, made by place and never changed; double-double numbers are pairs (high, low).
-// * A function consists of assignments to names, also by taking a tuple apart, and of one `return`. A name may be
-//   assigned again, to a value of the same kind.
-// * Expressions are names, numbers, constants of modules, `math.pi`, `+ - * /`, unary `-`, `abs`, comparisons of
-//   two values, `&` and `|` of what holds, fields, indices and slices by whole numbers, tuples, and calls by place of
-//   words, formulas and records.
-// * What depends on a number is a `where` of doubles or a `choice` of pairs, both sides of which are evaluated, or
-//   `choose(condition, f, g, values)`, which evaluates one function of the values where it can. Loops are
-//   `iterate(count, step, state)` and `iterate_until(step, finished, state, at_once, most)`. Functions are named in
-//   calls of these three alone.
-// * Where nothing depends on the order of evaluation, none is meant; sums and products are rounded as their parentheses
-//   say, and never contracted.
+// Formulas of both motions: arguments in half periods, the nome, the arithmetic–geometric mean.
 
-import { binaryExponent, nearest, smaller, timesPower } from "./../words.js";
+import { binaryExponent, nearest, smaller, timesPower } from "../words.js";
 import {
   add,
   divide,
