@@ -30,11 +30,6 @@ class ArrayStates:
         *components, last = self._formulas.state_of(self._formulas.unflatten(flat), self._sums(flat, high, low, rest))
         return (*components, last + 0.0 * components[0])  # a top's is one number for all times
 
-    def sums_at_start(self, flat: Columns) -> Sums:
-        """Return the sums at the epoch."""
-        zero = namespace(flat[-1]).zeros_like(flat[-1])
-        return self._sums(flat, zero, zero, zero)
-
     def _sums(self, flat: Columns, *time: Array) -> Sums:
         return choose(flat[0] != 0.0, self._full, self._complementary, *flat[: self._summed], *time)
 

@@ -22,7 +22,9 @@ from polhode.exact import _kernel_loops as kernel_loops
 from polhode.exact._blocks import Columns, Vectors, columns_in_blocks, flatten_motion
 from polhode.types import Array, Float64
 
-COMMON = tuple(f"polhode.exact.{name}" for name in ("_kernel_arithmetic", "_kernel_agm", "_formulas", "_kernel_loops"))
+COMMON = tuple(f"polhode.exact.{name}" for name in (
+    "_kernel_arithmetic", "_kernel_records", "_kernel_agm", "_formulas", "_kernel_loops",
+))
 STATE, SET_UP = 7e-6, 1.5e-4  # s that Python takes for a state, and for a body, about
 ARRAY_STATES, ARRAY_SET_UP = 4e-4, 5e-3  # s that NumPy takes for few states or bodies, almost all for its calls, about
 ROWS = 8192  # states at a time by NumPy, whose temporaries then stay in the cache; worth a thread, as bodies are

@@ -10,8 +10,8 @@ from __future__ import annotations
 import math
 import struct
 from array import array
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, TypeAlias
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -24,8 +24,8 @@ _C = [(-1) ** n * (2.0 * np.pi) ** (2 * n) / float(np.prod(np.arange(1.0, 2 * n 
 S0, S1, S2, S3, S4, S5, S6, S7, S8 = _S
 C0, C1, C2, C3, C4, C5, C6, C7, C8, C9 = _C
 if TYPE_CHECKING:  # in copies for arrays they are arrays
-    Number: TypeAlias = Any
-    Truth: TypeAlias = Any
+    from typing import Any as Number
+    from typing import Any as Truth
 else:
     Number, Truth = float, bool
 Pair = tuple[Number, Number]
@@ -286,14 +286,18 @@ def record(rows: Any, i: int, count: int) -> Any:
 
 
 def put_record(rows: Any, i: int, values: tuple[Any, ...]) -> None:
-    """Store numbers, as ``record`` returns them."""
-    for x in values:
+    """Store the numbers of a record or a tuple, one below the other, and 1 or 0 for what holds or does not."""
+    for x in _numbers(values):
         rows[i] = x
         i += BLOCK
 
 
-def load(rows: Any, i: int, kind: type) -> Any:
-    """Return the record of formulas whose numbers stand in rows, as ``put_record`` stores it: compiled code alone."""
+def _numbers(part: Any) -> Iterator[float]:
+    if not isinstance(part, tuple):
+        yield float(part)
+        return
+    for inner in part:
+        yield from _numbers(inner)
 
 
 def pair(w: Any, k: int) -> Pair:

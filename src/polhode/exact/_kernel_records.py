@@ -7,7 +7,7 @@ from functools import cache
 from itertools import accumulate
 from typing import Any, get_args, get_type_hints
 
-from polhode.exact._kernel_arithmetic import BLOCK
+from polhode.exact._kernel_arithmetic import BLOCK, record
 
 
 @cache
@@ -17,6 +17,18 @@ def leaves(kind: Any) -> Any:
         return kind
     fields = get_type_hints(kind).values() if hasattr(kind, "_fields") else get_args(kind)
     return tuple((leaves(field), field if hasattr(field, "_fields") else None) for field in fields)
+
+
+def load(rows: Any, i: int, kind: Any) -> Any:
+    """Return the record whose numbers stand in rows of a store, as ``put_record`` stores it."""
+    return _built(leaves(kind), kind, iter(record(rows, i, size_of(kind))))
+
+
+def _built(part: Any, kind: Any, numbers: Iterator[float]) -> Any:
+    if not isinstance(part, tuple):
+        return next(numbers) != 0.0 if part is bool else next(numbers)
+    parts = [_built(inner, of, numbers) for inner, of in part]
+    return kind(*parts) if kind is not None and hasattr(kind, "_fields") else tuple(parts)
 
 
 def size_of(kind: Any) -> int:

@@ -9,7 +9,6 @@ With b = BQ and κ = −CS, the period 4K/√b changes by −½ (ρ δb + σ δ�
 from __future__ import annotations
 
 import math
-from typing import Any
 
 from polhode._base.arrays import namespace
 from polhode.exact.free_body._geometry import Characteristics
@@ -88,7 +87,7 @@ def _whole_period(prepared: Prepared, form: Canonical) -> tuple[Number, Kernel]:
     xp = namespace(form.b)
     zero = 0.0 * form.b
     pi = tuple(c + zero for c in dd.PI)
-    none: Any = rates.constant | rates.separatrix
+    none = rates.constant | rates.separatrix
     mean = dd.where(none, dd.from_float(xp.ones_like(form.b)), rates.mean)
     half_period = dd.divide(dd.multiply(mean, pi), dd.multiply(mean, mean))  # π/agm, in units of V
     period = dd.scale(dd.multiply(half_period, body.V), 2.0)[0]

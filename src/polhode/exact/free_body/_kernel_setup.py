@@ -18,7 +18,6 @@ from polhode.exact._kernel_arithmetic import (
     BLOCK,
     Pair,
     flags,
-    load,
     pair,
     places,
     put,
@@ -29,7 +28,7 @@ from polhode.exact._kernel_arithmetic import (
     times_power,
 )
 from polhode.exact._kernel_loops import SUMS, WORK, sums_of_many
-from polhode.exact._kernel_records import rows_of
+from polhode.exact._kernel_records import load, rows_of
 from polhode.exact.free_body._formulas import COLUMNS, FIRST, START, TO_ATTITUDE, Motion, sums_at
 from polhode.exact.free_body._formulas_rates import (
     Frequencies,

@@ -1,187 +1,109 @@
-"""From a top's invariants to the constants of its motion: turning points, rates, theta series and phases.
-
-The invariants are those of ``reduction``; pairs are double-double. The turning points are the roots u1 ≤ u2 ≤ 1 ≤ u3 of
-u̇² = (α − βu)(1 − u²) − (b − au)². One of them is well separated from the other two, which follow from sums and products
-of roots without cancellation, whatever coincides. Source: Whittaker, *Analytical Dynamics*, §71–73, for the cubic.
-"""
+"""From a top's frequencies and the places of its poles to the constants of its motion: theta series and phases."""
 
 from __future__ import annotations
 
 import math
 from typing import NamedTuple
 
-from polhode.exact._formulas import by_theta
+from polhode.exact._formulas import nome_per_parameter
 from polhode.exact._kernel_arithmetic import (
+    Number,
     Pair,
+    Rate,
+    Truth,
     add,
     choice,
-    constant,
+    choose,
     divide,
-    multiply,
-    multiply_float,
+    exponential,
+    halves,
+    negation,
     root,
-    root_or_zero,
     scale,
     sine_cosine,
-    square,
     square_root,
-    subtract,
-    two_square,
-    two_sum,
+    times_power,
     where,
     whole,
 )
-from polhode.exact.lagrange_top._formulas import Four, Sums
-from polhode.special._doubledouble import INVERSE_TWO_PI, PI
+from polhode.exact.lagrange_top._formulas import (
+    Four,
+    Motion,
+    Sums,
+    complementary_phase,
+    complementary_sums,
+    full_sums,
+)
+from polhode.exact.lagrange_top._formulas_rates import Frequencies, climb, half_periods, periods, phase_rates
+from polhode.exact.lagrange_top._formulas_roots import ONE, ZERO, Reduction, Three, TurningPoints, is_upright, leaves
 
-ONE, ZERO = (1.0, 0.0), (0.0, 0.0)
-Three = tuple[float, float, float]
-Cubic = tuple[Pair, Pair, Pair]
-
-
-class TurningPoints(NamedTuple):
-    """Distances between the roots, the poles u = ±1 and the start u0, each as a number of its own."""
-
-    from_lower: Pair  # u0 − u1
-    from_upper: Pair  # u2 − u0
-    d: Pair  # u2 − u1
-    s1: Pair  # 1 − u1
-    s2: Pair  # 1 − u2
-    t1: Pair  # 1 + u1
-    t2: Pair  # 1 + u2
-    A: Pair  # G (u3 − u1)
-    B: Pair  # G (u3 − u2)
-    Y: Pair  # G (u3 − u0)
-    Z_minus: Pair  # G (u3 − 1)
-    Z_plus: Pair  # G (u3 + 1)
+NO_TERMS = (0.0, 0.0, 0.0, 0.0)
+Six = tuple[Number, Number, Number, Number, Number, Number]
+Series = tuple[Four, Four, Four, Four, Number]
 
 
-# ---------------------------------------------------------------------- turning points
+class Integrals(NamedTuple):
+    """Elliptic integrals of the first kind."""
+
+    v_alpha: Number  # distances of α's and β's poles from the real axis; infinite where the tilt stays
+    v_beta: Number
+    w_alpha: Number  # K' − v, of the full form
+    w_beta: Number
+    x0: Pair  # distance of the start from the lowest place
 
 
-def cubics(
-    axial: float, g: Pair, inverse: Pair, s0: Pair, t0: Pair, u0: Pair, w2: Pair, twist: Pair, p2: Pair, c2: Pair,
-    d: Pair, f: Pair,
-) -> tuple[Pair, Cubic, Cubic]:
-    """Return f1, and the cubics x³ + bx² + cx + d of Y = G (u3 − u0) and of s = 1 − u1; ``inverse`` is 1/G."""
-    # with v = u − u0 and the |w|² of the start, u̇² = (1 − u²)(|w|² − G v) − (b − a u)² = p² + f1 v + f2 v² + G v³,
-    # and with s = 1 − u it is −(G s³ − D s² − 2F s + c²)
-    f1 = subtract(scale(multiply_float(twist, axial), 2.0), multiply(g, multiply(s0, t0)))
-    f1 = subtract(f1, scale(multiply(u0, w2), 2.0))
-    f2 = subtract(subtract(scale(multiply(g, u0), 2.0), w2), two_square(axial))
-    d, f = multiply(d, inverse), multiply(f, inverse)
-    return f1, (f2, multiply(g, f1), multiply(square(g), p2)), ((-d[0], -d[1]), scale(f, -2.0), multiply(c2, inverse))
+class Arguments(NamedTuple):
+    """The modulus and the places of start and poles in the lattice."""
+
+    full: Truth
+    q: Number  # nome of the smaller parameter
+    theta3: Number
+    y_alpha: Number  # imaginary distance of the poles, times π/2K (full) or π/2K'
+    y_beta: Number
+    w_alpha: Number  # full: the like of K' − v
+    w_beta: Number
+    x0: Pair
 
 
-def quotient(x: Pair, y: Pair) -> Pair:
-    """Return x / y, and zero for x = 0 whatever y."""
-    zero = x[0] == 0.0
-    return choice(zero, x, divide(x, choice(zero, ONE, y)))
+class Given(NamedTuple):
+    """A reduced top with all that its motion is made from."""
+
+    top: Reduction
+    points: TurningPoints
+    rates: Frequencies
+    at: Arguments
+    axial: Number  # L3 as given
 
 
-def difference(total: Pair, product: Pair) -> Pair:
-    """Return x + y = √((x − y)² + 4 x y)."""
-    return root_or_zero(add(square(total), scale(product, 4.0)))
+class Timing(NamedTuple):
+    """What of a ``Motion`` depends on rates and places."""
+
+    rates: tuple[Rate, Rate, Rate, Pair]  # its first to start
+    places: tuple[Six, Pair, Pair]  # its nome to rates
+    linear: Pair  # derivatives by τ of the phases of α and β that evaluation adds to A and B, spin aside
+    turn: Number  # dz/dτ or dx'/dτ
 
 
-def _larger_and_smaller(total: Pair, sum_: Pair, product: Pair) -> tuple[Pair, Pair]:
-    """Return x ≥ 0 and y ≥ 0 from x − y, x + y and x y."""
-    positive = total[0] >= 0.0
-    larger = scale(add(sum_, choice(positive, total, (-total[0], -total[1]))), 0.5)
-    smaller = choice(larger[0] > 0.0, quotient(product, larger), ZERO)
-    return choice(positive, larger, smaller), choice(positive, smaller, larger)
+def is_full(top: Reduction, points: TurningPoints) -> bool:
+    """Return whether the motion takes the full form, m ≤ ½, if it nutates."""
+    # m = (A − B)/A = G (u2 − u1)/A and 1 − m = B/A
+    return top.G[0] * points.d[0] <= points.B[0]
 
 
-def _upper_root_apart(g: Pair, s0: Pair, p2: Pair, c2: Pair, f1: Pair, y: Pair) -> tuple[Pair, ...]:
-    """From Y = G (u3 − u0): with v = u − u0, v1 + v2 = (f1 + G p²/Y)/Y and v1 v2 = −p²/Y."""
-    product = quotient(p2, y)
-    total = quotient(add(f1, multiply(g, product)), y)
-    gap = difference(total, product)
-    upper, lower = _larger_and_smaller(total, gap, product)
-    s1, s2, z = add(s0, lower), subtract(s0, upper), subtract(y, multiply(g, s0))
-    # s1 s2 Z = c²; of s2 and Z only the larger is an accurate difference
-    take = z[0] >= multiply(g, s2)[0]
-    other = quotient(c2, multiply(s1, choice(take, z, s2)))
-    s2, z = choice(take, other, s2), choice(take, z, other)
-    return lower, upper, gap, s1, s2, add(y, multiply(g, lower)), subtract(y, multiply(g, upper)), y, z
-
-
-def _lower_root_apart(g: Pair, s0: Pair, p2: Pair, c2: Pair, f: Pair, s1: Pair) -> tuple[Pair, ...]:
-    """From s1 = 1 − u1: s2 + s3 = (c²/s1 − 2F)/(G s1) and s2 s3 = −c²/(G s1)."""
-    gs = multiply(g, s1)
-    product = quotient(c2, gs)
-    total = divide(add(scale(f, -2.0), quotient(c2, s1)), gs)
-    between = difference(total, product)
-    s2, minus_s3 = _larger_and_smaller(total, between, product)
-    z = multiply(g, minus_s3)
-    y = add(multiply(g, s0), z)
-    upper, lower = subtract(s0, s2), subtract(s1, s0)
-    take = upper[0] >= lower[0]
-    other = quotient(quotient(p2, y), choice(take, upper, lower))
-    upper, lower = choice(take, upper, other), choice(take, other, lower)
-    return lower, upper, subtract(s1, s2), s1, s2, multiply(g, add(s1, minus_s3)), multiply(g, between), y, z
-
-
-def turning_points_of(
-    is_upper: bool, lone_root: Pair, g: Pair, safe: Pair, s0: Pair, t0: Pair, p2: Pair, c2: Pair, c_plus: Pair, f: Pair,
-    f1: Pair,
-) -> TurningPoints:
-    """Return the turning points from the separate root, Y or else s1; ``safe`` is G, where it is positive."""
-    x = _upper_root_apart(g, s0, p2, c2, f1, lone_root)
-    y = _lower_root_apart(safe, s0, p2, c2, f, lone_root)
-    upper, apart = choice(is_upper, x[1], y[1]), choice(is_upper, x[7], y[7])
-    t2, z = add(t0, upper), add(apart, multiply(g, t0))
-    return TurningPoints(
-        choice(is_upper, x[0], y[0]), upper, choice(is_upper, x[2], y[2]), choice(is_upper, x[3], y[3]),
-        choice(is_upper, x[4], y[4]), quotient(square(c_plus), multiply(t2, z)), t2, choice(is_upper, x[5], y[5]),
-        choice(is_upper, x[6], y[6]), apart, choice(is_upper, x[8], y[8]), z,
-    )
-
-
-# ---------------------------------------------------------------------- rates
-
-
-def start_of_alpha(first: bool, a: Pair, z_plus: Pair, t1: Pair, t2: Pair) -> Pair:
-    """Return p² at the start of the sum of α; ``first`` says that it takes the form that starts from Z."""
-    return choice(first, z_plus, divide(multiply(a, t2), choice(first, constant(ONE, t1[0]), t1)))
-
-
-def start_of_beta(first: bool, c: Pair, a: Pair, b: Pair, z_minus: Pair, s1: Pair, s2: Pair) -> Pair:
-    """Return p² of the sum of β. Where c = 0 the factor of the sum vanishes, and p² must only not be zero."""
-    other = divide(multiply(s1, b), choice(first, constant(ONE, s2[0]), s2))
-    return choice(first, choice(c[0] == 0.0, a, z_minus), other)
-
-
-def drift(first: bool, c: Pair, g: Pair, z: Pair, near: Pair, far: Pair, d: Pair, nutation: Pair, total: Pair) -> Pair:
-    """Return cG/(4Z) Σ in the first form, |c|/(2 near) [1 − d/(2 far) Σ] − ϖ in the second."""
-    idle = c[0] == 0.0
-    ratio = divide(choice(first, multiply(c, g), c), choice(idle, ONE, choice(first, z, near)))
-    share = subtract(constant(ONE, c[0]), scale(multiply(divide(d, far), total), 0.5))
-    return choice(
-        first, scale(multiply(ratio, total), 0.25), subtract(multiply(scale(ratio, 0.5), share), nutation)
-    )
-
-
-def spin(i1: float, i3: float, axial: float) -> Pair:
-    """Return ν I1, the spin that I3 ≠ I1 adds, by τ."""
-    return divide(multiply_float(two_sum(i1, -i3), axial), (i3, 0.0))
-
-
-def turns_per_time(rate: Pair, i1: float, rate_scale: float) -> Pair:
-    """Return a rate by τ as turns per time."""
-    inverse = divide(constant(INVERSE_TWO_PI, i1), (i1, 0.0))
-    return multiply(rate, scale(inverse, rate_scale))
-
-
-def half_periods(nutation: Pair, i1: float, rate_scale: float) -> Pair:
-    """Return the rate of x/2K [half periods per time]."""
-    return divide(scale(nutation, rate_scale), multiply_float(constant(PI, i1), i1))
-
-
-def periods(half_root: Pair, nutation: Pair, nome: float) -> tuple[Pair, Pair]:
-    """Return K and πK/K', of the nome of the smaller parameter."""
-    quarter = divide(scale(multiply(half_root, constant(PI, nome)), 0.5), nutation)
-    return quarter, by_theta(scale(quarter, 2.0), nome)
+def arguments(top: Reduction, points: TurningPoints, rates: Frequencies, integrals: Integrals) -> Arguments:
+    """Return modulus and places, of the integrals."""
+    m, m1 = top.G[0] * points.d[0] / points.A[0], where(rates.separatrix, 0.0, points.B[0] / points.A[0])
+    full = rates.permanent | (is_full(top, points) & negation(rates.separatrix))
+    small = where(rates.permanent, 0.0, where(full, m, m1))
+    q = small * nome_per_parameter(small, square_root(1.0 - small))
+    q4 = (q * q) * (q * q)
+    theta3 = 1.0 + 2.0 * (q + q4 + q4 * q4 * q)
+    by = 1.0 / (theta3 * theta3)  # π/2K of the smaller quarter period (DLMF 22.2.2)
+    x0 = scale(add(integrals.x0, climb(top)), where(top.p[0] >= 0.0, 1.0, -1.0))
+    return Arguments(
+        full, q, theta3, integrals.v_alpha * by, integrals.v_beta * by, integrals.w_alpha * by, integrals.w_beta * by,
+        x0,
+    )  # fmt: skip
 
 
 # ---------------------------------------------------------------------- series
@@ -237,6 +159,56 @@ def complementary_series(
     )  # fmt: skip
 
 
+def _sizes(top: Reduction, t: Pair, s: Pair) -> Pair:
+    """Return √(t/2) and √(s/2) at the given size of the displacement, where that stays as small."""
+    down, upright = times_power(1.0, -where(leaves(top), 0.0, top.lift)), is_upright(top)
+    root_t, root_s = square_root(0.5 * t[0]), square_root(0.5 * s[0])
+    return root_t * where(upright, 1.0, down), root_s * where(upright, down, 1.0)
+
+
+def tails(at: Arguments) -> Four:
+    """Return q e^{2y}, accurate where y is far out, and e^{−2y}, of α and of β."""
+    return (
+        exponential(-2.0 * at.w_alpha), exponential(-2.0 * at.y_alpha), exponential(-2.0 * at.w_beta),
+        exponential(-2.0 * at.y_beta),
+    )
+
+
+def full_series(top: Reduction, points: TurningPoints, at: Arguments, tail: Four) -> Series:
+    """Return sums and differences of the coefficients of e^{±ikz}, k = 1, 3, 5, 7, in A and in B."""
+    root_t, root_s = _sizes(top, points.t2, points.s1)
+    of_alpha, of_beta = full_sizes(root_t, root_s, at.q, at.theta3)
+    some = at.q > 0.0
+    a_sum, a_gap = full_terms(of_alpha, tail[1], at.q, where(some, tail[0], 0.0), -1.0)
+    b_sum, b_gap = full_terms(of_beta, tail[3], at.q, where(some, tail[2], 0.0), 1.0)
+    return a_sum, a_gap, b_sum, b_gap, 0.0
+
+
+def _full(given: Given) -> Series:
+    return full_series(given.top, given.points, given.at, tails(given.at))
+
+
+def _standing(given: Given) -> Series:
+    """Return the series of a permanent top, which has one of α, β, or at rest both, as it started."""
+    # A = |α| sin z and B = i |β| sin z at z = π/2
+    root_t, root_s = _sizes(given.top, given.top.t0, given.top.s0)
+    return (root_t, 0.0, 0.0, 0.0), NO_TERMS, NO_TERMS, (root_s, 0.0, 0.0, 0.0), 0.0
+
+
+def _of_full_form(given: Given) -> Series:
+    return choose(given.rates.permanent, _standing, _full, given)
+
+
+def complementary(top: Reduction, points: TurningPoints, at: Arguments) -> Series:
+    """Return the series of the complementary form."""
+    root_t, root_s = _sizes(top, points.t2, points.s1)
+    return complementary_series(root_t, root_s, at.q, at.theta3, at.y_alpha, at.y_beta)
+
+
+def _of_complementary_form(given: Given) -> Series:
+    return complementary(given.top, given.points, given.at)
+
+
 # ---------------------------------------------------------------------- phases
 
 
@@ -289,3 +261,97 @@ def constant_phases(
     c0, s0 = _constant_phase(ar, ai, dar, dai, turns_a, linear[0], (q0, q3), a, norm, drop, turn, size)
     c1, s1 = _constant_phase(br, bi, dbr, dbi, turns_b, linear[1], (q1, q2), b, norm, drop, turn, size)
     return c0, s0, c1, s1
+
+
+def phases_of(top: Reduction, timing: Timing, sums: Sums) -> Four:
+    """Return the constant phases, of the sums at the epoch."""
+    ar, ai, br, bi, dar, dai, dbr, dbi, turns_a, turns_b = sums
+    up, upright = times_power(1.0, top.lift), is_upright(top)
+    a, b = where(upright, 1.0, up), where(upright, up, 1.0)
+    x, y, z = top.momentum
+    size = (x * x + y * y) + (z * z + top.G[0])
+    lifted = ar * a, ai * a, br * b, bi * b, dar * a, dai * a, dbr * b, dbi * b, turns_a, turns_b
+    return constant_phases(
+        top.quaternion, top.size, top.momentum, where(size > 0.0, size, 1.0), lifted, timing.linear, timing.turn
+    )
+
+
+# ---------------------------------------------------------------------- the whole
+
+
+def _in_halves(rate: Pair) -> Rate:
+    high, low = halves(rate[0])
+    return high, low, rate[1]
+
+
+def timing_of(top: Reduction, rates: Frequencies, at: Arguments) -> Timing:
+    """Return what of the motion depends on rates and places."""
+    i1, _ = top.moments
+    permanent, separatrix, full = rates.permanent, rates.separatrix, at.full
+    alpha, beta = phase_rates(top, rates)
+    half = half_periods(rates.nutation, i1, top.rate_scale)
+    saddle = divide(scale(rates.half_root, top.rate_scale), (i1, 0.0))
+    third = choice(permanent, ZERO, choice(full, scale(half, 0.5), choice(separatrix, saddle, half)))
+    quarter, period = periods(rates.half_root, rates.nutation, at.q)
+    fraction = scale(divide(at.x0, quarter), 0.5)
+    start = choice(full, scale(fraction, 0.5), choice(separatrix, at.x0, fraction))
+    start, period = choice(permanent, (0.25, 0.0), start), choice(separatrix, ONE, period)
+    upper, lower = halves(period[0])
+    ya, yb = where(full | separatrix, 0.0, at.y_alpha), where(full | separatrix, 0.0, at.y_beta)
+    carried, sa, sb = rates.nutation[0] * (2.0 / math.pi), rates.sign_alpha, rates.sign_beta
+    turn = where(full, rates.nutation[0], rates.half_root[0] / (at.theta3 * at.theta3))
+    linear_a, linear_b, turn = (
+        where(permanent, 0.0, rates.alpha[0] + sa * ya * carried),
+        where(permanent, 0.0, rates.beta[0] + sb * yb * carried), where(permanent, 0.0, turn),
+    )  # fmt: skip
+    size = top.momentum_scale
+    return Timing(
+        (_in_halves(alpha), _in_halves(beta), _in_halves(third), start),
+        (
+            (at.q, upper, lower + period[1], ya / math.pi, yb / math.pi, where(separatrix, 0.0, 1.0)),
+            (where(permanent, 1.0, sa), where(permanent, 1.0, sb)),
+            (2.0 * turn * size, 2.0 * (linear_a + linear_b) * size),
+        ),
+        (linear_a, linear_b), turn,
+    )  # fmt: skip
+
+
+def _motion(given: Given, timing: Timing, series: Series, phases: Four) -> Motion:
+    first, second, third, start = timing.rates
+    nome, signs, rates = timing.places
+    a_sum, a_gap, b_sum, b_gap, constant = series
+    return Motion(
+        where(given.at.full, 1.0, 0.0), first, second, third, start, a_sum, a_gap, b_sum, b_gap, constant, nome, signs,
+        rates, phases, given.axial, where(given.top.reversed, -1.0, 1.0),
+    )
+
+
+def motion_without_phases(given: Given) -> tuple[Motion, Timing]:
+    """Return the motion of a top whose constant phases are none."""
+    timing = timing_of(given.top, given.rates, given.at)
+    series = choose(given.at.full, _of_full_form, _of_complementary_form, given)
+    return _motion(given, timing, series, (1.0, 0.0, 1.0, 0.0)), timing
+
+
+def _full_start(m: Motion) -> Sums:
+    zero = 0.0 * m.start[0]
+    return full_sums(m, (zero, zero, zero))
+
+
+def _complementary_start(m: Motion) -> Sums:
+    zero = 0.0 * m.start[0]
+    a, b, c, e, factor, other, other_factor = complementary_phase(m, (zero, zero, zero))
+    return complementary_sums(m, a, b, c, exponential(e) * factor, exponential(other) * other_factor)
+
+
+def motion_with_phases(given: Given, motion: Motion, timing: Timing) -> Motion:
+    """Return the motion, which begins at the given attitude."""
+    sums = choose(given.at.full, _full_start, _complementary_start, motion)
+    series = motion.a_sum, motion.a_gap, motion.b_sum, motion.b_gap, motion.constant
+    return _motion(given, timing, series, phases_of(given.top, timing, sums))
+
+
+def motion_of(given: Given) -> Motion:
+    """Return the constants of motion of a top."""
+    motion, timing = motion_without_phases(given)
+    return motion_with_phases(given, motion, timing)

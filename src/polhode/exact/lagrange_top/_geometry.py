@@ -6,9 +6,10 @@ import math
 from typing import Any, NamedTuple
 
 from polhode._base.arrays import compiled, namespace
-from polhode.exact.lagrange_top._frequencies import Frequencies, top_frequencies
-from polhode.exact.lagrange_top._reduction import Reduction, reduce_top
-from polhode.exact.lagrange_top._roots import TurningPoints, turning_points
+from polhode.exact.lagrange_top._formulas_rates import Frequencies
+from polhode.exact.lagrange_top._formulas_roots import Reduction, TurningPoints
+from polhode.exact.lagrange_top._reduction import reduce_top
+from polhode.exact.lagrange_top._roots import FORMULAS, turning_points
 from polhode.special import _doubledouble as dd
 from polhode.special._doubledouble import DoubleDouble
 from polhode.types import Array, Float64, Integer
@@ -45,7 +46,7 @@ def characteristics(
     """Return the characteristics of tops with arrays (…, 3), (…, 1), (…, 3) and (…, 4) of one batch shape."""
     top = compiled(reduce_top, moments)(moments, mgl, momentum, attitude)
     points = compiled(turning_points, moments)(top)
-    return characteristics_of(top, points, compiled(top_frequencies, moments)(top, points))
+    return characteristics_of(top, points, compiled(FORMULAS.frequencies, moments)(top, points))
 
 
 def characteristics_of(top: Reduction, points: TurningPoints, rates: Frequencies) -> Characteristics:

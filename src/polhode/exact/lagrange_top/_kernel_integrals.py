@@ -170,8 +170,7 @@ def _start(w: Any, count: int, s: Any) -> None:
         put(s, Y_ + i, divide(pair(w, at.Y + i), pair(w, at.A + i)))
     _first_kind_sharply(s, count)
     for i in range(count):
-        x0 = multiply(root_or_zero(divide(pair(w, at.LOWER + i), pair(w, at.GAP + i))), pair(s, X + i))
-        put(w, at.X0 + i, scale(x0, 1.0 if w[at.P + i] >= 0.0 else -1.0))
+        put(w, at.X0 + i, multiply(root_or_zero(divide(pair(w, at.LOWER + i), pair(w, at.GAP + i))), pair(s, X + i)))
 
 
 @called

@@ -68,7 +68,8 @@ def _load(w: Any, i: int, moments: Any, mgl: float, momentum: Any, attitude: Any
     w[at.I1 + i], w[at.I3 + i], w[at.L1 + i], w[at.L2 + i], w[at.L3 + i] = a * down, c * down, x, y, z
     w[at.E0 + i], w[at.E1 + i] = (-q1 if turned else q0), (q0 if turned else q1)
     w[at.E2 + i], w[at.E3 + i] = (q3 if turned else q2), (-q2 if turned else q3)
-    w[at.SIDE + i], w[at.SIZE + i], w[at.RATE + i] = side, _power(of_momentum), _power(of_momentum - of_moment)
+    w[at.REVERSED + i] = 1.0 if turned else 0.0
+    w[at.SIZE + i], w[at.RATE + i] = _power(of_momentum), _power(of_momentum - of_moment)
     g = two_product(weight, a * down)
     put(w, at.G + i, scale(g, 2.0))
     near = _apart(x, SPREAD) and _apart(y, SPREAD) and _apart(z, SPREAD) and weight >= SPREAD

@@ -18,7 +18,7 @@ from polhode.exact._kernel_arithmetic import (
     square_root,
 )
 from polhode.exact.lagrange_top import _kernel_store as at
-from polhode.exact.lagrange_top._formulas_setup import cubics, turning_points_of
+from polhode.exact.lagrange_top._formulas_roots import cubics, turning_points_of
 
 CONVERGED = 2.0**-60  # of the last change over the root: what is left is smaller by a float64's precision
 ONE = (1.0, 0.0)

@@ -10,24 +10,52 @@ from __future__ import annotations
 from typing import Any
 
 from polhode._base.compiled.copying import called, entry
-from polhode.exact._kernel_agm import STEPS
+from polhode.exact._formulas import mean_start
+from polhode.exact._kernel_agm import AA, STEPS, third_kind
 from polhode.exact._kernel_arithmetic import (
     BLOCK,
     flags,
+    pair,
     places,
+    put_record,
+    record,
     room,
+    scale,
+    times_power,
 )
-from polhode.exact._kernel_loops import WORK, sums_of_many
+from polhode.exact._kernel_loops import SUMS, WORK, sums_of_many
+from polhode.exact._kernel_records import load
 from polhode.exact.lagrange_top import _kernel_store as at
-from polhode.exact.lagrange_top._formulas import AXIAL, COLUMNS
+from polhode.exact.lagrange_top._formulas import A_SUM, AXIAL, COLUMNS, FIRST, NOME, PHASES, REVERSED, Motion, sums_at
+from polhode.exact.lagrange_top._formulas_rates import Frequencies, Starts, frequencies, frequencies_of, starts_of
+from polhode.exact.lagrange_top._formulas_roots import Reduction, TurningPoints
+from polhode.exact.lagrange_top._formulas_setup import (
+    Arguments,
+    Given,
+    Integrals,
+    Timing,
+    arguments,
+    complementary,
+    full_series,
+    motion_of,
+    phases_of,
+    tails,
+    timing_of,
+)
 from polhode.exact.lagrange_top._kernel_integrals import integrals
-from polhode.exact.lagrange_top._kernel_rates import rates
 from polhode.exact.lagrange_top._kernel_reduction import TERMS, begin
 from polhode.exact.lagrange_top._kernel_roots import turning_points
-from polhode.exact.lagrange_top._kernel_series import phases, series
 from polhode.exact.lagrange_top._kernel_store import KEPT, ROWS
 
 WORTH = 1_000  # tops for which a thread is worth its start
+
+
+def _form(w: Any, i: int) -> int:
+    """Return 1 for a top that takes the full form, 0 for the complementary one, −1 for one that the kernels leave."""
+    d, b = w[at.GAP + i], w[at.B + i]
+    if not (w[at.UP + i] >= 0.0 and d > 0.0 and b > 0.0):
+        return -1
+    return 1 if w[at.G + i] * d <= b else 0
 
 
 @called
@@ -42,13 +70,11 @@ def _sorted(begun: Any, count: int, sources: Any, w: Any, place: Any, order: Any
     """
     full, back = 0, count
     for i in range(count):
-        d, b = begun[at.GAP + i], begun[at.B + i]
-        if not (begun[at.UP + i] >= 0.0 and d > 0.0 and b > 0.0):
-            continue
-        if begun[at.G + i] * d <= b:
+        form = _form(begun, i)
+        if form == 1:
             order[full] = i
             full += 1
-        else:
+        elif form == 0:
             back -= 1
             order[back] = i
     for i in range(back, count):
@@ -73,18 +99,104 @@ def _finite(m: Any, count: int, good: Any) -> None:
         good[i] = total == 0.0
 
 
-def set_up_one(moments: Any, mgl: Any, momentum: Any, attitude: Any) -> tuple[float, ...] | None:
-    """Return the numbers of the motion of one top, a block by itself, or None for one that is left to NumPy."""
-    columns, left = [[0.0] for _ in range(COLUMNS)], [True]
-    set_up([moments], [mgl], [momentum], [attitude], columns, left, 0)
-    return None if left[0] else tuple(x for (x,) in columns)
+# ---------------------------------------------------------------------- the formulas in loops
+
+
+@called
+def _start_alpha(w: Any, count: int, steps: Any) -> None:
+    for i in range(count):
+        start = starts_of(load(w, at.TOP + i, Reduction), load(w, at.POINTS + i, TurningPoints))
+        state, w[at.EXPONENT + i] = mean_start(start.root_A, start.root_B, start.alpha)
+        put_record(w, at.BEGUN + i, start)
+        put_record(steps, AA + i, state)
+
+
+@called
+def _start_beta(w: Any, count: int, steps: Any) -> None:
+    for i in range(count):
+        start = load(w, at.BEGUN + i, Starts)
+        state, _ = mean_start(start.root_A, start.root_B, start.beta)
+        put_record(steps, AA + i, state)
+
+
+@called
+def _put_rates(w: Any, count: int) -> None:
+    for i in range(count):
+        top, points = load(w, at.TOP + i, Reduction), load(w, at.POINTS + i, TurningPoints)
+        start = load(w, at.BEGUN + i, Starts)
+        mean = scale(pair(w, at.MEAN + i), times_power(1.0, w[at.EXPONENT + i]))
+        rates = frequencies_of(top, points, start, mean, pair(w, at.ALPHA + i), pair(w, at.BETA + i))
+        put_record(w, at.RATES + i, rates)
+
+
+@called
+def _put_arguments(w: Any, count: int) -> None:
+    for i in range(count):
+        top, points = load(w, at.TOP + i, Reduction), load(w, at.POINTS + i, TurningPoints)
+        rates, parts = load(w, at.RATES + i, Frequencies), load(w, at.INTEGRALS + i, Integrals)
+        put_record(w, at.AT + i, arguments(top, points, rates, parts))
+
+
+@called
+def _full_series(w: Any, full: int, m: Any) -> None:
+    for i in range(full):
+        put_record(w, at.TAILS + i, tails(load(w, at.AT + i, Arguments)))
+    for i in range(full):
+        top, points = load(w, at.TOP + i, Reduction), load(w, at.POINTS + i, TurningPoints)
+        place, tail = load(w, at.AT + i, Arguments), record(w, at.TAILS + i, 4)
+        put_record(m, A_SUM + i, full_series(top, points, place, tail))
+
+
+@called
+def _complementary_series(w: Any, count: int, m: Any) -> None:
+    for i in range(count):
+        top, points = load(w, at.TOP + i, Reduction), load(w, at.POINTS + i, TurningPoints)
+        put_record(m, A_SUM + i, complementary(top, points, load(w, at.AT + i, Arguments)))
+
+
+@called
+def _put_timing(w: Any, count: int, m: Any) -> None:
+    for i in range(count):
+        top, rates = load(w, at.TOP + i, Reduction), load(w, at.RATES + i, Frequencies)
+        timing = timing_of(top, rates, load(w, at.AT + i, Arguments))
+        put_record(w, at.TIMING + i, timing)
+        put_record(m, FIRST + i, timing.rates)
+        put_record(m, NOME + i, timing.places)
+        m[REVERSED + i] = -1.0 if top.reversed else 1.0
+
+
+@called
+def _phases(w: Any, count: int, m: Any, work: Any) -> None:
+    for i in range(count):
+        top, timing = load(w, at.TOP + i, Reduction), load(w, at.TIMING + i, Timing)
+        put_record(m, PHASES + i, phases_of(top, timing, sums_at(work, SUMS + i)))
+
+
+def set_up_one(moments: Any, mgl: Any, momentum: Any, attitude: Any) -> Motion | None:
+    """Return the constants of motion of one top, or None for one that is left to NumPy."""
+    w, steps = room(ROWS), room(STEPS * BLOCK)
+    count = begin([moments], [mgl], [momentum], [attitude], w, [0], room(TERMS))
+    turning_points(w, count)
+    full = _form(w, 0) if count == 1 else -1
+    if full < 0:
+        return None
+    integrals(w, full, 1, steps)
+    top, points, parts = load(w, at.TOP, Reduction), load(w, at.POINTS, TurningPoints), load(w, at.INTEGRALS, Integrals)
+    rates = frequencies(top, points)
+    given = Given(top, points, rates, arguments(top, points, rates, parts), momentum[2])
+    motion = motion_of(given)
+    return motion if _is_finite(motion) else None
+
+
+def _is_finite(part: Any) -> bool:
+    return all(map(_is_finite, part)) if isinstance(part, tuple) else part - part == 0.0
 
 
 @entry
 def set_up(
     moments: Any, mgl: Any, momentum: Any, attitude: Any, columns: Any, left: Any, first: int
 ) -> None:
-    begun, w, m = room(ROWS * BLOCK), room(ROWS * BLOCK), room(COLUMNS * BLOCK)
+    begun, w, m = room(ROWS), room(ROWS), room(COLUMNS * BLOCK)
     steps, work, zeros, terms = room(STEPS * BLOCK), room(WORK * BLOCK), room(BLOCK), room(TERMS)
     sources, place, who = places(BLOCK), places(BLOCK), places(BLOCK)
     good = flags(BLOCK)
@@ -93,13 +205,20 @@ def set_up(
         count = begin(moments[part], mgl[part], momentum[part], attitude[part], begun, sources, terms)
         turning_points(begun, count)
         full, count = _sorted(begun, count, sources, w, place, who)
-        rates(w, count, steps, who, m)
+        _start_alpha(w, count, steps)
+        third_kind(w, at.MEAN, at.ALPHA, count, steps, who)
+        _start_beta(w, count, steps)
+        third_kind(w, at.AGAIN, at.BETA, count, steps, who)
+        _put_rates(w, count)
         integrals(w, full, count, steps)
+        _put_arguments(w, count)
         for i in range(count):
             m[AXIAL + i] = momentum[low + place[i]][2]
-        series(w, full, count, m)
+        _full_series(w, full, m)
+        _complementary_series(w[full:], count - full, m[full:])
+        _put_timing(w, count, m)
         sums_of_many(m, full, count, zeros, zeros, zeros, work)
-        phases(w, count, m, work)
+        _phases(w, count, m, work)
         _finite(m, count, good)
         for i in range(count):
             columns[0][first + low + place[i]] = 1.0 if i < full else 0.0

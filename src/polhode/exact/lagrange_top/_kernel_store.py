@@ -1,20 +1,27 @@
-"""How the kernels store a block of tops: rows of BLOCK numbers, two adjacent rows for a double-double number."""
+"""How the kernels store a block of tops: records of the formulas, in rows of BLOCK numbers."""
 
 from __future__ import annotations
 
-from polhode.exact._kernel_arithmetic import (
-    BLOCK,
-)
+from polhode.exact._kernel_arithmetic import BLOCK, Pair
+from polhode.exact._kernel_records import rows_of
+from polhode.exact.lagrange_top._formulas import Four
+from polhode.exact.lagrange_top._formulas_rates import Frequencies, Starts
+from polhode.exact.lagrange_top._formulas_roots import Reduction, TurningPoints
+from polhode.exact.lagrange_top._formulas_setup import Arguments, Integrals, Timing
 
-# what reduction and turning points find, kept when the tops are sorted by the form that they take. The first are
-# single, the second in pairs. UP says first whether too much cancels (below zero), then whether a top is NumPy's
-# (above), then whether its upper root stands apart (0 or 1; below zero it is NumPy's)
-(I1, I3, L1, L2, L3, E0, E1, E2, E3, SIDE, SIZE, RATE, UP, NOME) = range(0, 14 * BLOCK, BLOCK)
-(NORM, G, S0, T0, U0, P, C, C_PLUS, TWIST, F, D, W2, LOWER, UPPER, GAP, S1, S2, T1, T2, A, B, Y, Z_MINUS,
- Z_PLUS) = range(14 * BLOCK, 62 * BLOCK, 2 * BLOCK)
-KEPT = 62
-# of what is found afterwards
-(HALF_ROOT, MEAN, SUM, NUTATION, ALPHA, BETA, X0) = range(62 * BLOCK, 76 * BLOCK, 2 * BLOCK)
-(V_ALPHA, V_BETA, W_ALPHA, W_BETA, Y_ALPHA, Y_BETA, R_ALPHA, R_BETA, THETA3, LINEAR_A, LINEAR_B, TURN,
- SIGN_A, SIGN_B) = range(76 * BLOCK, 90 * BLOCK, BLOCK)
-ROWS = 90
+# what reduction and turning points find, kept when the tops are sorted by the form that they take. AGAIN is the mean of
+# the second sum's run, whose last digits may be others
+TOP, POINTS, BEGUN, MEAN, AGAIN, ALPHA, BETA, EXPONENT, RATES, INTEGRALS, AT, TAILS, TIMING, ROWS = rows_of(
+    Reduction, TurningPoints, Starts, Pair, Pair, Pair, Pair, tuple[float], Frequencies, Integrals, Arguments, Four,
+    Timing,
+)
+KEPT = BEGUN // BLOCK
+# the fields of ``Reduction``, single ones and pairs
+I1, I3, L1, L2, L3, E0, E1, E2, E3, REVERSED, LIFT, SIZE, RATE = range(TOP, TOP + 13 * BLOCK, BLOCK)
+NORM, G, S0, T0, U0, P, C, C_PLUS, TWIST, F, D, W2, LEAN = range(TOP + 13 * BLOCK, POINTS, 2 * BLOCK)
+# those of ``TurningPoints``
+LOWER, UPPER, GAP, S1, S2, T1, T2, A, B, Y, Z_MINUS, Z_PLUS = range(POINTS, BEGUN, 2 * BLOCK)
+V_ALPHA, V_BETA, W_ALPHA, W_BETA, X0 = range(INTEGRALS, INTEGRALS + 5 * BLOCK, BLOCK)
+# UP says first whether too much cancels (below zero), then whether a top is NumPy's (above), then whether its upper
+# root stands apart (0 or 1; below zero it is NumPy's). NOME is the size of what is taken from F
+UP, NOME = BEGUN, BEGUN + BLOCK

@@ -8,60 +8,21 @@ A centre of mass below the pivot (mgl < 0) is one above it on the reversed axis:
 
 A top displaced from the vertical by a tiny ε has s or t, c or c', F and |w|² of the order of ε², and squares of these
 underflow. There the motion is linear in the displacement, so the invariants are formed with the displacement scaled up
-by a power of two. ``frequencies`` and ``preparation`` undo this: the scaled top's state is scaled down if it stays near
-the vertical, and the time it takes to leave grows by the logarithm of the scale if it does not.
+by a power of two. ``formulas_rates`` and ``formulas_setup`` undo this: the scaled top's state is scaled down if it
+stays near the vertical, and the time it takes to leave grows by the logarithm of the scale if it does not.
 """
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 from polhode._base.arrays import namespace
+from polhode.exact.lagrange_top._formulas_roots import Reduction
 from polhode.special import _doubledouble as dd
 from polhode.special._doubledouble import DoubleDouble
-from polhode.types import Array, Bool, Float64, Integer
+from polhode.types import Array, Float64
 
 TINY, LIFTED = -200, -150  # binary exponents: of a displacement that is scaled up, and of what it becomes
-Number = Float64[Array, "*batch"]
-Flag = Bool[Array, "*batch"]
-
-
-class Reduction(NamedTuple):
-    """A top with mgl ≥ 0, scaled by powers of two; pairs are double-double.
-
-    u = cos θ, s = 1 − u, t = 1 + u, index 0 at the epoch; dots are derivatives by τ.
-    """
-
-    moments: tuple[Number, Number]  # I1, I3
-    momentum: tuple[Number, Number, Number]  # with the displacement scaled up by 2^lift
-    quaternion: tuple[Number, Number, Number, Number]  # not normalised; likewise
-    size: DoubleDouble  # |q|² as given
-    G: DoubleDouble
-    s0: DoubleDouble
-    t0: DoubleDouble
-    u0: DoubleDouble
-    p: DoubleDouble  # u̇ at the epoch
-    c: DoubleDouble  # p_φ − L3
-    c_plus: DoubleDouble  # p_φ + L3
-    twist: DoubleDouble  # p_φ − u L3 at the epoch
-    F: DoubleDouble  # |w|² − G s − a c
-    D: DoubleDouble  # 2G − a² − |w|² + G s
-    w2: DoubleDouble  # |w|² at the epoch
-    lean: DoubleDouble  # a (|w|² − G s) − G c: its sign against a's tells loops from waves
-    reversed: Flag  # whether the axis was reversed
-    lift: Integer[Array, "*batch"]  # binary exponent of the displacement's scale, 0 for most tops
-    momentum_scale: Number  # powers of two taken out
-    rate_scale: Number
-
-    @property
-    def upright(self) -> Flag:
-        """Whether the axis points up rather than down at the epoch."""
-        return self.s0[0] < self.t0[0]
-
-    @property
-    def leaves(self) -> Flag:
-        """Whether the displacement was scaled up and grows."""
-        return (self.lift > 0) & self.upright & (self.D[0] > 0)
 
 
 def reduce_top(
@@ -94,8 +55,7 @@ def reduce_top(
     above, below = xp.where(below, 0, lift), xp.where(below, lift, 0)
     L = (*(kept * xp.ldexp(v, lift - momentum_exponent) for v in components[:2]), L3)
     q = (xp.ldexp(w, below), kept * xp.ldexp(x, above), kept * xp.ldexp(y, above), xp.ldexp(z, below))
-    parts = ((I1, I3), L, q, *_invariants(G, size, L, q), reverse, lift, *scales)
-    return Reduction._make(parts)
+    return Reduction((I1, I3), L, q, reverse, lift, *scales, *_invariants(G, size, L, q))
 
 
 def _lift(

@@ -1,4 +1,4 @@
-"""The turning points of a Lagrange top, ``formulas_setup``, for arrays.
+"""The turning points of a Lagrange top, ``formulas_roots``, for arrays.
 
 The separate root is computed by Newton's method in double-double, in a variable in which it is large.
 """
@@ -10,9 +10,10 @@ from typing import Any
 from polhode._base.arrays import iterate, namespace
 from polhode.exact._array_arithmetic import for_arrays
 from polhode.exact.lagrange_top import _formulas as formulas
+from polhode.exact.lagrange_top import _formulas_rates as formulas_rates
+from polhode.exact.lagrange_top import _formulas_roots as formulas_roots
 from polhode.exact.lagrange_top import _formulas_setup as formulas_setup
-from polhode.exact.lagrange_top._formulas_setup import TurningPoints
-from polhode.exact.lagrange_top._reduction import Reduction
+from polhode.exact.lagrange_top._formulas_roots import Reduction, TurningPoints
 from polhode.special import _doubledouble as dd
 from polhode.special._doubledouble import DoubleDouble
 from polhode.types import Array
@@ -76,4 +77,4 @@ def _difference(sum_: DoubleDouble, product: DoubleDouble) -> DoubleDouble:
     return dd.scale(dd.sqrt(dd.add(dd.square(scaled), dd.scale(raised, 4.0))), xp.ldexp(xp.ones_like(up), -small))
 
 
-FORMULAS = for_arrays(formulas, formulas_setup, difference=_difference)
+FORMULAS = for_arrays(formulas, formulas_roots, formulas_rates, formulas_setup, difference=_difference)
