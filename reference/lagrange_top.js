@@ -2,11 +2,12 @@
 import { asState, checkedRange, elapsedTime, finite, positiveMoments, unitQuaternion, vector } from "./checking.js";
 import * as dd from "./formulas/arithmetic.js";
 import { stateAt } from "./formulas/lagrange_top.js";
+import { frequencies } from "./formulas/lagrange_top_rates.js";
+import { arguments_ as lattice, motionOf } from "./formulas/lagrange_top_setup.js";
 import { normalize, rotate } from "./quaternion.js";
-import { topRates } from "./top_rates.js";
+import { integralsOf } from "./top_integrals.js";
 import { reducedTop } from "./top_reduction.js";
 import { turningPoints } from "./top_roots.js";
-import { preparedTop } from "./top_series.js";
 
 /**
  * A heavy symmetric top: H = ½ L·I⁻¹L + mgl cos θ, dL/dt = L × Ω + mgl Γ × e3, dR/dt = R hat(Ω).
@@ -47,10 +48,11 @@ export class LagrangeMotion {
     const L = this.momentumAtEpoch;
     const top = reducedTop(this.moments, this.mgl, L, this.attitudeAtEpoch);
     const points = turningPoints(top);
-    const rates = topRates(top, points);
+    const rates = frequencies(top, points);
     const turning = Math.max(...L.map((x, k) => Math.abs(x / this.moments[k])));
     this._fastest = turning + Math.sqrt(Math.abs(this.mgl) / this.moments[0]);
-    this._motion = preparedTop(top, points, rates, L[2]);
+    const at = lattice(top, points, rates, integralsOf(top, points, rates));
+    this._motion = motionOf({ top, points, rates, at, axial: L[2] });
     const { first, second, third, start, rates: ofMomentum, phases } = this._motion;
     checkedRange([this._fastest, ...first, ...second, ...third, ...start, ...ofMomentum, ...phases]);
     const [w, x, y, z] = this.attitudeAtEpoch;
@@ -83,7 +85,7 @@ function numbersOf(top, points, rates) {
     : [cosineFrom(points.s1, points.t1), cosineFrom(points.s2, points.t2)];
   const found = {
     regime: regimeOf(top, rates),
-    nutationLimits: top.reversed < 0 ? [-upper, -lower] : [lower, upper],
+    nutationLimits: top.reversed ? [-upper, -lower] : [lower, upper],
     nutationPeriod: separatrix ? Infinity : null,
     precessionPerPeriod: null,
     spinPerPeriod: null,
@@ -95,7 +97,7 @@ function numbersOf(top, points, rates) {
   const beta = dd.add(dd.divide(rates.beta, nutation), [rates.signBeta, 0]);
   const spin = dd.divide(rates.spin, nutation);
   const precession = dd.multiply(dd.PI, dd.add(alpha, beta))[0];
-  const ownTurn = top.reversed * dd.multiply(dd.PI, dd.add(dd.subtract(alpha, beta), spin))[0];
+  const ownTurn = (top.reversed ? -1 : 1) * dd.multiply(dd.PI, dd.add(dd.subtract(alpha, beta), spin))[0];
   const period = dd.divide(dd.multiplyFloat(dd.PI, top.moments[0]), dd.scale(nutation, top.rateScale))[0];
   return {
     ...found,

@@ -10,29 +10,26 @@ import { binaryExponent, timesPower } from "./words.js";
 const [TINY, LIFTED] = [-200, -150]; // binary exponents: of a displacement that is scaled up, and of what it becomes
 
 /**
- * Return a top with mgl ≥ 0, scaled by powers of two; pairs are double-double.
+ * Return a top with mgl ≥ 0, scaled by powers of two: a `Reduction` of formulas/lagrange_top_roots.js.
  *
- * u = cos θ, s = 1 − u, t = 1 + u, index 0 at the epoch; c = p_φ − L3, cPlus = p_φ + L3, twist = p_φ − u L3,
- * F = |w|² − G s − a c, D = 2G − a² − |w|² + G s, lean = a (|w|² − G s) − G c, and p = u̇ by τ, at the epoch.
  * A centre of mass below the pivot is one above it on the reversed axis: a half turn about the first body axis.
  *
  * A top displaced from the vertical by a tiny ε has s or t, c or c', F and |w|² of the order of ε², and squares of these
  * underflow. There the motion is linear in the displacement, so the invariants, `momentum` and `quaternion` have the
  * displacement scaled up by 2^lift. Rates and series undo this: the scaled top's state is scaled down if it stays near the
- * vertical, and the time it takes to leave grows by the logarithm of the scale if it does not (`leaves`).
+ * vertical, and the time it takes to leave grows by the logarithm of the scale if it does not.
  */
 export function reducedTop(moments, mgl, momentum, attitude) {
-  const turned = mgl < 0;
-  const quaternion = turned ? [-attitude[1], attitude[0], attitude[3], -attitude[2]] : [...attitude];
+  const reversed = mgl < 0;
+  const quaternion = reversed ? [-attitude[1], attitude[0], attitude[3], -attitude[2]] : [...attitude];
   const [w, x, y, z] = quaternion;
-  const sign = turned ? -1 : 1;
+  const sign = reversed ? -1 : 1;
   const momentExponent = binaryExponent(moments[0]);
   const momentumExponent = exponentOfMomentum(moments[0], Math.abs(mgl), momentum);
   const [I1, I3] = [moments[0], moments[2]].map((v) => timesPower(v, -momentExponent));
   const given = [momentum[0], sign * momentum[1], sign * momentum[2]];
   const L = given.map((v) => timesPower(v, -momentumExponent));
-  const half = timesPower(Math.abs(mgl), momentExponent - momentumExponent);
-  const weight = timesPower(half, -momentumExponent);
+  const weight = timesPower(timesPower(Math.abs(mgl), momentExponent - momentumExponent), -momentumExponent);
   const G = dd.scale(dd.twoProduct(weight, I1), 2);
   const size = compress([...sumOfSquares(x, y), ...sumOfSquares(w, z)]);
   const { below, lift, kept } = liftOf(G, L, quaternion);
@@ -41,18 +38,15 @@ export function reducedTop(moments, mgl, momentum, attitude) {
   const [above, under] = below ? [0, lift] : [lift, 0];
   const [p, q] = [x, y].map((v) => kept * timesPower(v, above));
   const liftedQuaternion = [timesPower(w, under), p, q, timesPower(z, under)];
-  const found = invariants(G, size, liftedMomentum, liftedQuaternion);
   return {
     moments: [I1, I3],
     momentum: liftedMomentum,
     quaternion: liftedQuaternion,
-    ...found,
-    reversed: turned ? -1 : 1,
+    reversed,
     lift,
-    upright: !below,
-    leaves: lift > 0 && !below && found.D[0] > 0,
     momentumScale: timesPower(1, momentumExponent),
     rateScale: timesPower(1, momentumExponent - momentExponent),
+    ...invariants(G, size, liftedMomentum, liftedQuaternion),
   };
 }
 

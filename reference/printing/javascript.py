@@ -53,6 +53,12 @@ WORDS = {
 }  # fmt: skip
 """Others are functions of words.js."""
 CONSTANTS = {"pi": "Math.PI", "nan": "NaN", "inf": "Infinity"}
+RESERVED = {
+    "arguments", "await", "case", "catch", "class", "const", "default", "delete", "do", "enum", "eval", "export",
+    "extends", "finally", "function", "import", "in", "instanceof", "interface", "let", "new", "null", "package",
+    "private", "protected", "public", "static", "super", "switch", "this", "throw", "try", "typeof", "var", "void",
+    "with", "yield",
+}  # fmt: skip
 IDENTIFIER = re.compile(r"``([a-z_]\w*)``")
 
 
@@ -114,7 +120,8 @@ def hump(name: str) -> str:
     """Return a name with humps in place of underscores; constants keep theirs, and what is private its first one."""
     bare = name.lstrip("_")
     first, *rest = [bare] if bare.isupper() else bare.split("_")
-    return name[: len(name) - len(bare)] + first + "".join(part[:1].upper() + part[1:] for part in rest)
+    found = name[: len(name) - len(bare)] + first + "".join(part[:1].upper() + part[1:] for part in rest)
+    return found + "_" if found in RESERVED else found
 
 
 def name_of(name: str, module: str) -> str:

@@ -20,6 +20,8 @@ FILES = {
     EXACT + "free_body._formulas_reduction": "./free_body_reduction.js",
     EXACT + "free_body._formulas_setup": "./free_body_setup.js",
     EXACT + "lagrange_top._formulas": "./lagrange_top.js",
+    EXACT + "lagrange_top._formulas_rates": "./lagrange_top_rates.js",
+    EXACT + "lagrange_top._formulas_roots": "./lagrange_top_roots.js",
     EXACT + "lagrange_top._formulas_setup": "./lagrange_top_setup.js",
 }
 ABOUT = {
@@ -30,19 +32,18 @@ ABOUT = {
 """What is said of files whose modules speak of Python."""
 ARITHMETIC = ["two_sum", "two_product", "halves", "add", "subtract", "multiply", "multiply_float", "square", "scale",
               "divide", "root", "root_or_zero"]  # fmt: skip
-OF_BOTH = ["nome_per_parameter", "mean_step", "mean_distance", "mean_closed"]
-OF_TOP = ["start_of_alpha", "start_of_beta", "drift", "spin", "turns_per_time", "half_periods", "periods", "full_terms",
-          "full_sizes", "complementary_series", "constant_phases", "ZERO"]  # fmt: skip
 ROOTS = [
     *(Root(EXACT + "_kernel_arithmetic", name) for name in ARITHMETIC),
-    Root("polhode.special._doubledouble", "LN2"),
-    *(Root(EXACT + "_formulas", name) for name in OF_BOTH),
     Root(EXACT + "free_body._formulas_reduction", "reduction"),
     Root(EXACT + "free_body._formulas_rates", "frequencies"),
     Root(EXACT + "free_body._formulas_setup", "motion_of"),
     Root(EXACT + "free_body._formulas_setup", "axes_of"),
     Root(EXACT + "free_body._formulas_numbers", "numbers"),
-    *(Root(EXACT + "lagrange_top._formulas_setup", name) for name in OF_TOP),
+    Root(EXACT + "lagrange_top._formulas_roots", "cubics"),
+    Root(EXACT + "lagrange_top._formulas_roots", "turning_points_of"),
+    Root(EXACT + "lagrange_top._formulas_rates", "frequencies"),
+    Root(EXACT + "lagrange_top._formulas_setup", "arguments"),
+    Root(EXACT + "lagrange_top._formulas_setup", "motion_of"),
     *(Root(EXACT + "_kernel_loops", "state_at", f"{EXACT}{each}._formulas") for each in ("free_body", "lagrange_top")),
 ]
 

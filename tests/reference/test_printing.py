@@ -18,6 +18,8 @@ from polhode.exact.free_body._formulas_setup import Given
 from polhode.exact.free_body._formulas_setup import motion_of as body_motion
 from polhode.exact.lagrange_top import _evaluation as top_evaluation
 from polhode.exact.lagrange_top import _formulas as top_formulas
+from polhode.exact.lagrange_top._formulas_rates import frequencies as top_frequencies
+from polhode.exact.lagrange_top._preparation import prepare
 from printing import sources
 from printing.javascript import hump
 from printing.javascript_files import FOLDER, javascript_files
@@ -199,6 +201,32 @@ def test_set_up_has_the_same_bits_but_for_elementary_functions(count):
     for name, times in (("start", 1.0), ("nome", 1.0), ("toAttitude", 1.0), ("series", MOST_TIMES)):
         ours, theirs = (np.array([numbers(each[name]) for each in x]) for x in (wanted, found))
         assert (np.abs(ours - theirs) <= times * APART * EPS * np.maximum(1.0, np.abs(ours))).all(), name
+
+
+def one_of(value, k):
+    """Return one of a record of arrays, with single numbers."""
+    if isinstance(value, tuple):
+        parts = [one_of(x, k) for x in value]
+        return type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
+    return np.asarray(value)[k].item()
+
+
+@needs_node
+@OF_THE_TABLE
+def test_turning_points_and_frequencies_of_a_top_have_the_same_bits(count):
+    given = [np.array(x) for x in zip(*(arguments for _, arguments in first_of_each("top", count)), strict=True)]
+    with np.errstate(all="ignore"):
+        _, tops, points, _ = prepare(*given)
+    calls, wanted = [], []
+    for k in range(len(given[0])):
+        top, its_points = one_of(tops, k), one_of(points, k)
+        try:
+            wanted.append(as_json(top_frequencies(top, its_points)))
+        except ArithmeticError:  # at rest or on the separatrix, where Python divides by no zero
+            continue
+        calls.append(("lagrange_top_rates.js", "frequencies", (top, its_points)))
+    assert len(calls) > 0.7 * len(given[0])
+    assert not differences(by_node(calls), wanted)
 
 
 def states(kind, count, folder=FOLDER):
