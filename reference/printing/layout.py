@@ -33,13 +33,20 @@ class Group:
 
 
 @dataclass(frozen=True)
+class Loose:
+    """What stands in one line, if it fits there with what follows up to the next place that can be broken."""
+
+    inner: Document
+
+
+@dataclass(frozen=True)
 class Broken:
     """A text that only a broken group has."""
 
     text: str
 
 
-Document = str | tuple["Document", ...] | Line | Nest | Group | Broken
+Document = str | tuple["Document", ...] | Line | Nest | Group | Loose | Broken
 SOFT = Line("")
 
 
@@ -84,7 +91,7 @@ def laid_out(document: Document, step: int, indent: int = 0, reserved: int = 0) 
                 waiting += [(margin, broken, inner) for inner in reversed(part)]
             case Nest(inner):
                 waiting.append((margin + step, broken, inner))
-            case Group(inner):
+            case Group(inner) | Loose(inner):
                 waiting.append((margin, not _fits(inner, waiting, WIDTH - column - reserved), inner))
             case Broken(text):
                 waiting.append((margin, broken, text if broken else ""))
@@ -110,6 +117,8 @@ def _fits(document: Document, after: list[tuple[int, bool, Document]], room: int
                 parts.append((broken, inner))
             case Group(inner):
                 parts.append((False, inner))
+            case Loose(inner):
+                parts.append((broken, inner))
             case Broken(text):
                 room -= len(text) if broken else 0
             case Line(otherwise):
