@@ -7,10 +7,12 @@ import pytest
 from printing.c import C
 from printing.expressions import lines_of, ordered
 from printing.language import Root, read
+from printing.native import native_files
 from printing.rust import Rust
 from printing.tree import FLAG, NUMBER, Binary, Choice, Literal, Name, Unary
 from reference.solvers import COMPILER, RUSTC, STRICT
 
+LONGEST = 130
 A, B = Name("a", NUMBER), Name("b", NUMBER)
 YES, NO = Name("yes", FLAG), Name("no", FLAG)
 
@@ -44,6 +46,22 @@ def test_brackets_keep_the_order_of_operations(node, in_c, in_rust):
     assert [*lines_of(C(()).expression(node))] == [in_c]
     assert [*lines_of(Rust((), {}).expression(node))] == [in_rust or in_c]
 
+
+# ---------------------------------------------------------------- the files
+
+
+def test_the_files_are_what_is_printed():
+    for path, text in native_files().items():
+        assert path.read_text("utf-8") == text, f"{path.name}: run `python -m printing` in reference/"
+
+
+def test_lines_are_not_too_long():
+    for path, text in native_files().items():
+        long = [line for line in text.splitlines() if len(line) > LONGEST]
+        assert not long, (path.name, long[:3])
+
+
+# ---------------------------------------------------------------- a specimen
 
 SPECIMEN = '''
 from typing import NamedTuple
