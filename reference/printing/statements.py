@@ -347,8 +347,9 @@ class Body:
         first = self._assignment(ast.copy_location(ast.Name(name, ast.Store()), start), self.expression(start), Notes())
         body: list[Statement] = []
         if finished and at_once:
-            counted = Binary(">=", Name(k, WHOLE), self.expression(at_once), FLAG)
-            ended = Binary("and", counted, self._condition(called(finished)), FLAG)
+            ended, first_time = self._condition(called(finished)), self.expression(at_once)
+            if first_time != Literal(0, WHOLE):
+                ended = Binary("and", Binary(">=", Name(k, WHOLE), first_time, FLAG), ended, FLAG)
             body.append(If(ended, (Leave(),), ()))
         body.append(self._assignment(ast.copy_location(ast.Name(name, ast.Store()), start),
                                      self.expression(called(step)), Notes()))  # fmt: skip
