@@ -59,3 +59,6 @@ export function checkedRange(columns) {
 
 /** Return seven numbers as {attitude, momentum}. */
 export const asState = ([w, x, y, z, a, b, c]) => ({ attitude: [w, x, y, z], momentum: [a, b, c] });
+
+/** Return a number, or null for what is undefined. */
+export const orNull = (x) => (Number.isNaN(x) ? null : x);

@@ -1,5 +1,5 @@
 // The free rigid body in closed form, at any time.
-import { asState, checkedRange, elapsedTime, finite, positiveMoments, unitQuaternion, vector } from "./checking.js";
+import { asState, checkedRange, elapsedTime, finite, orNull, positiveMoments, unitQuaternion, vector } from "./checking.js";
 import { stateAt } from "./formulas/free_body.js";
 import { numbers } from "./formulas/free_body_numbers.js";
 import { frequencies } from "./formulas/free_body_rates.js";
@@ -100,15 +100,14 @@ export class FreeMotion {
 function numbersOf(body, rates) {
   const found = numbers(body, rates);
   const regime = REGIMES[found.regime];
-  const known = (x) => (Number.isNaN(x) ? null : x);
   return {
     regime,
     encircledAxis: found.encircledAxis < 0 ? null : found.encircledAxis,
-    modulus: known(found.modulus),
-    period: known(found.period),
-    precessionRate: known(found.precessionRate),
-    precessionPerPeriod: known(found.precessionPerPeriod),
-    flipInterval: regime === "symmetric" ? null : known(0.5 * found.period),
-    solidAngle: known(found.solidAngle),
+    modulus: orNull(found.modulus),
+    period: orNull(found.period),
+    precessionRate: orNull(found.precessionRate),
+    precessionPerPeriod: orNull(found.precessionPerPeriod),
+    flipInterval: regime === "symmetric" ? null : orNull(0.5 * found.period),
+    solidAngle: orNull(found.solidAngle),
   };
 }

@@ -2108,18 +2108,16 @@ static inline phd_pair phd_top_quotient(phd_pair x, phd_pair y)
     return zero ? x : phd_divide(x, zero ? PHD_TOP_ONE : y);
 }
 
-/* binary exponent down to which a square has all its digits */
-static const double PHD_TOP_SQUARABLE = -400.0;
 /* Return x + y = √((x − y)² + 4 x y), also where the square underflows. */
 static inline phd_pair phd_top_difference(phd_pair total, phd_pair product)
 {
     const double exponent = phd_binary_exponent(total.hi);
     const int alone = product.hi == 0.0 || phd_binary_exponent(product.hi) < 2.0 * exponent;
-    const double places = total.hi == 0.0 || exponent >= PHD_TOP_SQUARABLE || !alone ? 0.0 : exponent;
-    const double up = phd_times_power(1.0, -places);
-    const double down = phd_times_power(1.0, places);
+    const double power = total.hi != 0.0 && exponent < PHD_TOP_SQUARABLE && alone ? -exponent : 0.0;
+    const double up = phd_times_power(1.0, power);
     const phd_pair raised = phd_scale(phd_scale(product, up), up);
-    return phd_scale(phd_root_or_zero(phd_add(phd_square(phd_scale(total, up)), phd_scale(raised, 4.0))), down);
+    return phd_scale(phd_root_or_zero(phd_add(phd_square(phd_scale(total, up)), phd_scale(raised, 4.0))),
+        phd_times_power(1.0, -power));
 }
 
 /* Return x ≥ 0 and y ≥ 0 from x − y, x + y and x y. */

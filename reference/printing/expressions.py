@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from types import MappingProxyType
+from collections.abc import Iterable, Iterator, Sequence
 
 from printing.layout import WIDTH, Document, Group, Line, Loose, Nest, laid_out
 from printing.tree import (
@@ -45,7 +44,6 @@ CHOICE, COMPARISON, SUM, UNARY, ATOM = 0, 3, 5, 7, 8
 PAIR = Tuple((NUMBER, NUMBER))
 COUNTS = {2: "two", 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven", 8: "eight", 9: "nine", 10: "ten",
           16: "sixteen"}  # fmt: skip
-NOTHING: Mapping[tuple[str, str], tuple[str, str]] = MappingProxyType({})
 Definitions = Constant | Structure | Function
 
 
@@ -184,20 +182,11 @@ def said(notes: Notes) -> str:
 # ---------------------------------------------------------------------- functions and modules
 
 
-def ordered(
-    modules: Iterable[Module], replaced: Mapping[tuple[str, str], tuple[str, str]] = NOTHING
-) -> Iterator[tuple[str, Definitions]]:
-    """Return what modules define, each after all that it needs, with its module.
-
-    Args:
-        replaced: (module, name) of a function → that of the one that is printed in its place, under its name.
-    """
+def ordered(modules: Iterable[Module]) -> Iterator[tuple[str, Definitions]]:
+    """Yield what modules define, each after all that it needs, with its module."""
     found: dict[tuple[str, str], Definitions] = {
         (module.name, name_of(x)): x for module in modules for x in module.definitions if not isinstance(x, Section)
     }
-    for place, other in replaced.items():
-        if place in found:
-            found[place] = found.pop(other)
     done: set[tuple[str, str]] = set()
 
     def visit(key: tuple[str, str]) -> Iterator[tuple[str, Definitions]]:

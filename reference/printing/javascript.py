@@ -72,7 +72,8 @@ def print_file(modules: Sequence[Module], files: Mapping[str, str], words: str, 
         about: what the file has; else the first module's docstring says so.
     """
     here = files[modules[0].name]
-    sources = ", ".join("src/" + module.name.replace(".", "/") + ".py" for module in modules)
+    places = (("reference/" if module.name.startswith("printing.") else "src/") + module.name for module in modules)
+    sources = ", ".join(place.replace(".", "/") + ".py" for place in places)
     said = f"Printed from {sources} by `python -m printing`: change that, and print again.\n\n"
     said += about or modules[0].docstring
     parts = ["\n".join(_comment(said)), *_imports(modules, files, here, words)]

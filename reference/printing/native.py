@@ -25,15 +25,12 @@ ROOTS = (
     Root(f"{EXACT}_kernel_loops", "state_at", given=f"{FREE}_formulas"),
     Root(SINGLE_TOP, "turning_points"),
     Root(SINGLE_TOP, "integrals"),
-    Root(SINGLE_TOP, "difference"),
     Root(f"{TOP}_formulas_rates", "frequencies"),
     Root(f"{TOP}_formulas_setup", "arguments"),
     Root(f"{TOP}_formulas_setup", "motion_of"),
     Root(f"{TOP}_formulas_numbers", "numbers"),
     Root(f"{EXACT}_kernel_loops", "state_at", given=f"{TOP}_formulas"),
 )
-REPLACED = {(f"{TOP}_formulas_roots", "difference"): (SINGLE_TOP, "difference")}
-"""Formulas in place of those that hold for the numbers of kernels alone."""
 ALLOWED = (
     "// names are those of Python, and a formula may leave something unused",
     "#![allow(dead_code, non_snake_case, unused_imports, unused_variables)]",
@@ -56,7 +53,7 @@ def native_files() -> dict[Path, str]:
 
 def _by_part(language: C | Rust, modules: tuple[Module, ...]) -> dict[str, list[str]]:
     """Return the lines of each part; what both motions need comes first."""
-    definitions = [*ordered(modules, REPLACED)]
+    definitions = [*ordered(modules)]
     return {
         part: [line for module, node in definitions if part_of(module) == part
                for line in language.definition(module, node)]

@@ -12,7 +12,6 @@ from polhode.exact._kernel_arithmetic import (
     Pair,
     add,
     angle_of,
-    binary_exponent,
     choice,
     divide,
     iterate,
@@ -26,7 +25,6 @@ from polhode.exact._kernel_arithmetic import (
     square,
     square_root,
     subtract,
-    times_power,
     where,
 )
 from polhode.exact.lagrange_top._formulas_rates import Frequencies
@@ -41,21 +39,10 @@ from polhode.exact.lagrange_top._formulas_roots import (
 )
 from polhode.exact.lagrange_top._formulas_setup import Integrals
 
-SQUARABLE = -400.0  # binary exponent down to which a square has all its digits
 NEWTON_STEPS = 5  # from the root in single numbers; three do, two more where that was poor
 DUPLICATIONS = 20  # nine halve the exponent of the smallest ratio, the others divide the spread by four
 BEGIN, SLOPE, CURVE = 0.8660254, 0.1642, -0.0302  # of cos(⅓ acos x), 0 ≤ x ≤ 1, to 2e-4
 Three = tuple[Pair, Pair, Pair]
-
-
-def difference(total: Pair, product: Pair) -> Pair:
-    """Return x + y = √((x − y)² + 4 x y), also where the square underflows."""
-    exponent = binary_exponent(total[0])
-    alone = (product[0] == 0.0) | (binary_exponent(product[0]) < 2.0 * exponent)
-    places = where((total[0] == 0.0) | (exponent >= SQUARABLE) | negation(alone), 0.0, exponent)
-    up, down = times_power(1.0, -places), times_power(1.0, places)
-    raised = scale(scale(product, up), up)
-    return scale(root_or_zero(add(square(scale(total, up)), scale(raised, 4.0))), down)
 
 
 def _largest_root(b: float, c: float, d: float) -> tuple[float, float]:

@@ -140,17 +140,17 @@ pub fn quotient(x: Pair, y: Pair) -> Pair {
     if zero { x } else { both::divide(x, if zero { ONE } else { y }) }
 }
 
-// binary exponent down to which a square has all its digits
-pub const SQUARABLE: f64 = -400.0;
 /// Return x + y = √((x − y)² + 4 x y), also where the square underflows.
 pub fn difference(total: Pair, product: Pair) -> Pair {
     let exponent = binary_exponent(total.0);
     let alone = product.0 == 0.0 || binary_exponent(product.0) < 2.0 * exponent;
-    let places = if total.0 == 0.0 || exponent >= SQUARABLE || !alone { 0.0 } else { exponent };
-    let up = times_power(1.0, -places);
-    let down = times_power(1.0, places);
+    let power = if total.0 != 0.0 && exponent < SQUARABLE && alone { -exponent } else { 0.0 };
+    let up = times_power(1.0, power);
     let raised = both::scale(both::scale(product, up), up);
-    both::scale(both::root_or_zero(both::add(both::square(both::scale(total, up)), both::scale(raised, 4.0))), down)
+    both::scale(
+        both::root_or_zero(both::add(both::square(both::scale(total, up)), both::scale(raised, 4.0))),
+        times_power(1.0, -power),
+    )
 }
 
 /// Return x ≥ 0 and y ≥ 0 from x − y, x + y and x y.
