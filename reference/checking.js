@@ -1,5 +1,5 @@
 // What the motions ask of their arguments. A RangeError says which value is wrong, what it must be, and what to do.
-import { twoSum, upper } from "./double_double.js";
+import { twoSum } from "./formulas/arithmetic.js";
 
 const UNIT_TOLERANCE = 1e-6; // a quaternion further from unit length is taken for a mistake, not for rounding
 const MOST_RADIANS = 1e27; // of a phase, which has 104 bits
@@ -40,12 +40,11 @@ export function unitQuaternion(value) {
   );
 }
 
-/** Return the time since the epoch, two halves and what they leave; refuse times whose phases have hardly a digit left. */
+/** Return the time since the epoch, and what is left of it where that is no double; refuse times whose phases have hardly a digit left. */
 export function elapsedTime(t, epoch, fastest) {
   finite("t", t, "seconds");
   const [elapsed, rest] = twoSum(t, -epoch);
-  const high = upper(elapsed);
-  if (Math.abs(elapsed) * fastest <= MOST_RADIANS) return [high, elapsed - high, rest];
+  if (Math.abs(elapsed) * fastest <= MOST_RADIANS) return [elapsed, rest];
   throw new RangeError(
     `\`t\` less the epoch, times the rate of rotation, must be at most ${MOST_RADIANS} rad, beyond which a phase has hardly a ` +
       `digit left; got ${t} s. Check times and rates.`,
@@ -57,3 +56,9 @@ export function checkedRange(columns) {
   if (columns.every(Number.isFinite)) return;
   throw new RangeError("moments, momentum or their ratios leave the range of doubles: choose other units.");
 }
+
+/** Return seven numbers as {attitude, momentum}. */
+export const asState = ([w, x, y, z, a, b, c]) => ({ attitude: [w, x, y, z], momentum: [a, b, c] });
+
+/** Return a number, or null for what is undefined. */
+export const orNull = (x) => (Number.isNaN(x) ? null : x);

@@ -1,12 +1,13 @@
 // The free rigid body in closed form, at any time.
-import { checkedRange, elapsedTime, finite, positiveMoments, unitQuaternion, vector } from "./checking.js";
-import * as dd from "./double_double.js";
-import { ratesOf } from "./free_rates.js";
-import { reduced } from "./free_reduction.js";
-import { prepared, stateOf } from "./free_series.js";
+import { asState, checkedRange, elapsedTime, finite, orNull, positiveMoments, unitQuaternion, vector } from "./checking.js";
+import { stateAt } from "./formulas/free_body.js";
+import { numbers } from "./formulas/free_body_numbers.js";
+import { frequencies } from "./formulas/free_body_rates.js";
+import { reduction } from "./formulas/free_body_reduction.js";
+import { axesOf, motionOf } from "./formulas/free_body_setup.js";
 import { normalize } from "./quaternion.js";
 
-const SMALL_CAP = 1e-14; // below it the leading term of the cap's area is as exact as the difference it replaces
+const REGIMES = ["rest", "spherical", "permanent", "symmetric", "short-axis", "long-axis", "separatrix"];
 
 /**
  * Torque-free motion of a rigid body: dL/dt = L × Ω, L = IΩ, dR/dt = R hat(Ω).
@@ -39,21 +40,22 @@ export class FreeMotion {
     this.attitudeAtEpoch = normalize(unitQuaternion(attitude));
     this.epoch = finite("epoch", epoch, "seconds");
     const given = { moments: this.moments, momentum: this.momentumAtEpoch, attitude: this.attitudeAtEpoch };
-    const body = reduced(given.moments, given.momentum);
-    const rates = ratesOf(body);
+    const body = reduction(given.moments, given.momentum);
+    const rates = frequencies(body);
     this._fastest = Math.max(...given.momentum.map((x, k) => Math.abs(x / given.moments[k])));
-    this._motion = prepared(body, rates, given);
+    this._motion = motionOf({ ...given, body, rates });
     const { first, second, toAttitude, toMomentum } = this._motion;
     checkedRange([this._fastest, ...first, ...second, ...toAttitude, ...toMomentum]);
     this._curve = { body, rates };
     this.energy = 0.5 * given.momentum.reduce((sum, x, k) => sum + (x / given.moments[k]) * x, 0);
     this.momentumNorm = Math.hypot(...given.momentum);
-    Object.assign(this, numbersOf(given, body, rates));
+    Object.assign(this, numbersOf(body, rates));
   }
 
   /** Return {attitude: [w, x, y, z], momentum: [x, y, z]} at a time [s]. */
   state(t) {
-    return stateOf(this._motion, elapsedTime(t, this.epoch, this._fastest));
+    const [elapsed, rest] = elapsedTime(t, this.epoch, this._fastest);
+    return asState(stateAt(this._motion, elapsed, rest));
   }
 
   /** Return Ω [rad/s, body axes] at a time [s]. */
@@ -76,6 +78,7 @@ export class FreeMotion {
     const total = B * Q;
     const [m, m1] = rates.separatrix ? [1, 0] : [(A * P) / total, (-C * body.S[0]) / total];
     const [l1, l2] = body.canonical;
+    const axes = axesOf(body);
     const rootP = body.rootP;
     const start = Math.atan2(Math.sqrt(B) * l2, Math.sqrt(C) * l1);
     const side = rates.separatrix && l1 < 0 ? -1 : 1;
@@ -88,64 +91,23 @@ export class FreeMotion {
         (rootP / Math.sqrt(B)) * s,
         Math.sqrt(Q / C) * Math.sqrt(m1 + m * c * c),
       ];
-      return body.axes.map((row) => body.momentumScale * (row[0] * point[0] + row[1] * point[1] + row[2] * point[2]));
+      return axes.map((row) => body.momentumScale * (row[0] * point[0] + row[1] * point[1] + row[2] * point[2]));
     });
   }
 }
 
 /** Return the numbers of the motion; what is undefined is null. */
-function numbersOf(given, body, rates) {
-  const regime = regimeOf(given, body, rates);
-  if (rates.constant) {
-    return {
-      regime, encircledAxis: null, modulus: null, period: null, precessionRate: null, precessionPerPeriod: null,
-      flipInterval: null, solidAngle: null,
-    }; // prettier-ignore
-  }
-  const sense = body.longAxis ? -1 : 1;
-  const precessionRate = sense * dd.scale(dd.divide(rates.precession, body.V), body.rateScale)[0];
-  if (rates.separatrix) {
-    return {
-      regime, encircledAxis: null, modulus: 1, period: Infinity, precessionRate, precessionPerPeriod: Infinity,
-      flipInterval: Infinity, solidAngle: null,
-    }; // prettier-ignore
-  }
-  const scaledPeriod = dd.divide(dd.scale(dd.PI, 2), rates.mean); // T/V
-  const perPeriod = dd.multiply(rates.precession, scaledPeriod);
-  const period = dd.multiply(scaledPeriod, body.V)[0] / body.rateScale;
+function numbersOf(body, rates) {
+  const found = numbers(body, rates);
+  const regime = REGIMES[found.regime];
   return {
     regime,
-    encircledAxis: body.axes.findIndex((row) => row[2] !== 0),
-    modulus: Math.sqrt(body.A[0] / body.B[0]) * (body.rootP / Math.sqrt(body.Q[0])),
-    period,
-    precessionRate,
-    precessionPerPeriod: sense * perPeriod[0],
-    flipInterval: regime === "symmetric" ? null : 0.5 * period,
-    solidAngle: solidAngleOf(body, rates, perPeriod, scaledPeriod),
+    encircledAxis: found.encircledAxis < 0 ? null : found.encircledAxis,
+    modulus: orNull(found.modulus),
+    period: orNull(found.period),
+    precessionRate: orNull(found.precessionRate),
+    precessionPerPeriod: orNull(found.precessionPerPeriod),
+    flipInterval: regime === "symmetric" ? null : orNull(0.5 * found.period),
+    solidAngle: orNull(found.solidAngle),
   };
-}
-
-function regimeOf({ moments, momentum }, body, rates) {
-  const [I1, I2, I3] = body.moments;
-  if (momentum.every((x) => x === 0)) return "rest";
-  if (I1 === I3) return "spherical";
-  if (rates.constant) return "permanent";
-  if (rates.separatrix) return "separatrix";
-  if (I1 === I2 || I2 === I3) return "symmetric";
-  return body.longAxis ? "long-axis" : "short-axis";
-}
-
-/** Return Ω = 2π − (ω_p − 2E/|L|) T, in double-double as small caps cancel; of a symmetric body, that of the round cap. */
-function solidAngleOf(body, rates, perPeriod, scaledPeriod) {
-  if (body.A[0] === 0) {
-    const sphere = body.C[0] * body.G2[0];
-    return ((2 * Math.PI * body.P[0]) / sphere) / (1 + Math.sqrt(body.Q[0] / sphere));
-  }
-  const [I1, I2, I3] = body.moments;
-  const small = body.P[0] / (body.B[0] * body.G2[0]);
-  if (small < SMALL_CAP) return (Math.PI * body.P[0]) / (Math.sqrt(body.B[0] * body.C[0]) * body.G2[0]);
-  const third = dd.twoProduct(body.longAxis ? -I3 : I1, I2);
-  const twiceEnergy = dd.add(body.P, dd.multiply(third, body.G2));
-  const dynamic = dd.multiply(dd.divide(twiceEnergy, rates.G), scaledPeriod);
-  return dd.subtract(dd.scale(dd.PI, 2), dd.subtract(perPeriod, dynamic))[0];
 }

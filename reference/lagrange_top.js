@@ -1,12 +1,16 @@
 // The Lagrange top in closed form, at any time.
-import { checkedRange, elapsedTime, finite, positiveMoments, unitQuaternion, vector } from "./checking.js";
-import * as dd from "./double_double.js";
+import { asState, checkedRange, elapsedTime, finite, orNull, positiveMoments, unitQuaternion, vector } from "./checking.js";
+import { stateAt } from "./formulas/lagrange_top.js";
+import { integrals, turningPoints } from "./formulas/lagrange_top_integrals.js";
+import { numbers } from "./formulas/lagrange_top_numbers.js";
+import { frequencies } from "./formulas/lagrange_top_rates.js";
+import { arguments_ as lattice, motionOf } from "./formulas/lagrange_top_setup.js";
 import { normalize, rotate } from "./quaternion.js";
-import { topRates } from "./top_rates.js";
 import { reducedTop } from "./top_reduction.js";
-import { turningPoints } from "./top_roots.js";
-import { preparedTop } from "./top_series.js";
-import { topStateOf } from "./top_state.js";
+
+const REGIMES = [
+  "rest", "sleeping", "hanging", "steady", "free", "planar", "undulating", "cusp", "loop", "separatrix",
+]; // prettier-ignore
 
 /**
  * A heavy symmetric top: H = ½ L·I⁻¹L + mgl cos θ, dL/dt = L × Ω + mgl Γ × e3, dR/dt = R hat(Ω).
@@ -47,12 +51,13 @@ export class LagrangeMotion {
     const L = this.momentumAtEpoch;
     const top = reducedTop(this.moments, this.mgl, L, this.attitudeAtEpoch);
     const points = turningPoints(top);
-    const rates = topRates(top, points);
+    const rates = frequencies(top, points);
     const turning = Math.max(...L.map((x, k) => Math.abs(x / this.moments[k])));
     this._fastest = turning + Math.sqrt(Math.abs(this.mgl) / this.moments[0]);
-    this._motion = preparedTop(top, points, rates, L[2]);
-    const { first, second, third, start, gain, phases } = this._motion;
-    checkedRange([this._fastest, ...first, ...second, ...third, ...start, ...gain, ...phases]);
+    const at = lattice(top, points, rates, integrals(top, points, rates));
+    this._motion = motionOf({ top, points, rates, at, axial: L[2] });
+    const { first, second, third, start, rates: ofMomentum, phases } = this._motion;
+    checkedRange([this._fastest, ...first, ...second, ...third, ...start, ...ofMomentum, ...phases]);
     const [w, x, y, z] = this.attitudeAtEpoch;
     const [up, down] = [w * w + z * z, x * x + y * y];
     const kinetic = 0.5 * L.reduce((sum, value, k) => sum + (value / this.moments[k]) * value, 0);
@@ -64,7 +69,8 @@ export class LagrangeMotion {
 
   /** Return {attitude: [w, x, y, z], momentum: [x, y, z]} at a time [s]. */
   state(t) {
-    return topStateOf(this._motion, elapsedTime(t, this.epoch, this._fastest));
+    const [elapsed, rest] = elapsedTime(t, this.epoch, this._fastest);
+    return asState(stateAt(this._motion, elapsed, rest));
   }
 
   /** Return Ω [rad/s, body axes] at a time [s]. */
@@ -76,54 +82,14 @@ export class LagrangeMotion {
 
 /** Return the numbers of the motion; what is undefined is null. */
 function numbersOf(top, points, rates) {
-  const { permanent, separatrix, nutation } = rates;
-  const [lower, upper] = permanent
-    ? [top.u0[0], top.u0[0]]
-    : [cosineFrom(points.s1, points.t1), cosineFrom(points.s2, points.t2)];
-  const found = {
-    regime: regimeOf(top, rates),
-    nutationLimits: top.reversed < 0 ? [-upper, -lower] : [lower, upper],
-    nutationPeriod: separatrix ? Infinity : null,
-    precessionPerPeriod: null,
-    spinPerPeriod: null,
-    precessionRate: null,
-    spinRate: null,
-  };
-  if (permanent || separatrix) return found;
-  const alpha = dd.add(dd.divide(rates.alpha, nutation), dd.from(rates.signAlpha));
-  const beta = dd.add(dd.divide(rates.beta, nutation), dd.from(rates.signBeta));
-  const spin = dd.divide(rates.spin, nutation);
-  const precession = dd.multiply(dd.PI, dd.add(alpha, beta))[0];
-  const ownTurn = top.reversed * dd.multiply(dd.PI, dd.add(dd.subtract(alpha, beta), spin))[0];
-  const period = dd.divide(dd.timesFloat(dd.PI, top.moments[0]), dd.scale(nutation, top.rateScale))[0];
+  const found = numbers(top, points, rates);
   return {
-    ...found,
-    nutationPeriod: period,
-    precessionPerPeriod: precession,
-    spinPerPeriod: ownTurn,
-    precessionRate: precession / period,
-    spinRate: ownTurn / period,
+    regime: REGIMES[found.regime],
+    nutationLimits: [found.lowest, found.highest],
+    nutationPeriod: orNull(found.period),
+    precessionPerPeriod: orNull(found.precessionPerPeriod),
+    spinPerPeriod: orNull(found.spinPerPeriod),
+    precessionRate: orNull(found.precessionPerPeriod / found.period),
+    spinRate: orNull(found.spinPerPeriod / found.period),
   };
-}
-
-/** Return u from the smaller of 1 − u and 1 + u. */
-const cosineFrom = (s, t) => (s[0] < t[0] ? dd.subtract(dd.ONE, s)[0] : dd.subtract(t, dd.ONE)[0]);
-
-/**
- * Signs of polynomials in the given floats decide; only the steady top needs the computed gap u2 − u1.
- *
- * The azimuth stands still where p_φ = a u; there |w|² = lean/a, which is positive inside the nutation's range.
- */
-function regimeOf(top, rates) {
-  const [a, c, cPlus, lean] = [top.momentum[2], top.c[0], top.cPlus[0], top.lean[0]];
-  if (rates.permanent && a === 0) return "rest";
-  if (top.G[0] === 0) return "free";
-  if (rates.permanent) return top.s0[0] === 0 ? "sleeping" : "hanging";
-  if (rates.separatrix) return "separatrix";
-  if (rates.steady) return "steady";
-  if (a === 0 && c === 0) return "planar";
-  const along = a < 0 ? -lean : lean;
-  const within = c * a < 0 && cPlus * a > 0; // the place p_φ/a is a tilt: −1 < p_φ/a < 1
-  if (within && along === 0) return "cusp";
-  return within && along > 0 ? "loop" : "undulating";
 }

@@ -13,7 +13,10 @@
        if (error) puts(polhode_error(error));
 
    Compile without -ffast-math, and with -ffp-contract=off where the compiler would fuse products and sums (GCC does in its
-   gnu modes): phases are kept in pairs of doubles, whose errors are computed exactly. _init checks that they are. */
+   gnu modes): phases are kept in pairs of doubles, whose errors are computed exactly. _init checks that they are.
+
+   What begins with polhode_ is for you; what begins with phd_ is printed from the formulas of polhode in Python by
+   `python -m printing` in reference/: change those in src/polhode/exact, or printing/polhode.in.h, and print again. */
 #ifndef POLHODE_H
 #define POLHODE_H
 
@@ -29,6 +32,9 @@
 #endif
 #if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ == -1)
 #error "polhode.h needs doubles computed as doubles: compile with -mfpmath=sse"
+#endif
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
 #endif
 
 enum {
@@ -61,315 +67,1839 @@ static inline const char *polhode_error(int code)
     }
 }
 
-/* ---------------------------------------------------------------- double-double arithmetic
-   A number is an unevaluated sum of two doubles with about 32 digits. Dekker, Numer. Math. 18 (1971) 224. */
+/* ---------------------------------------------------------------- words of the formulas that <math.h> has not */
 
+static inline double phd_larger(double x, double y) { return x > y ? x : y; }
+static inline double phd_smaller(double x, double y) { return x < y ? x : y; }
+static inline double phd_times_power(double x, double n) { return ldexp(x, (int)n); }
+
+static inline double phd_binary_exponent(double x)
+{
+    int exponent;
+    (void)frexp(x, &exponent);
+    return exponent;
+}
+
+/* ---------------------------------------------------------------- formulas of both motions */
+
+/* 1.5 · 2⁵²: added and taken away again, it leaves the nearest whole number */
+static const double PHD_ROUNDING = 6755399441055744.0;
+/* 2²⁷ + 1 */
+static const double PHD_SPLITTING = 134217729.0;
+/* of the power series of sin 2πx and cos 2πx */
+static const double PHD_S0 = 6.283185307179586;
+static const double PHD_S1 = -41.341702240399755;
+static const double PHD_S2 = 81.60524927607504;
+static const double PHD_S3 = -76.70585975306136;
+static const double PHD_S4 = 42.058693944897634;
+static const double PHD_S5 = -15.094642576822984;
+static const double PHD_S6 = 3.8199525848482803;
+static const double PHD_S7 = -0.7181223017785001;
+static const double PHD_S8 = 0.10422916220813978;
+static const double PHD_C0 = 1.0;
+static const double PHD_C1 = -19.739208802178716;
+static const double PHD_C2 = 64.93939402266828;
+static const double PHD_C3 = -85.45681720669371;
+static const double PHD_C4 = 60.24464137187664;
+static const double PHD_C5 = -26.426256783374388;
+static const double PHD_C6 = 7.903536371318465;
+static const double PHD_C7 = -1.7143907110886711;
+static const double PHD_C8 = 0.282005968455791;
+static const double PHD_C9 = -0.03638284114254564;
 typedef struct { double hi, lo; } phd_pair;
 
-static const phd_pair PHD_ONE = {1.0, 0.0}, PHD_ZERO = {0.0, 0.0};
-static const phd_pair PHD_PI = {3.141592653589793, 1.2246467991473532e-16};
-static const phd_pair PHD_LN2 = {0.6931471805599453, 2.3190468138462996e-17};
-static const phd_pair PHD_INVERSE_TWO_PI = {0.15915494309189535, -9.839338337591243e-18};
-
-static inline phd_pair phd_make(double hi, double lo) { phd_pair x; x.hi = hi; x.lo = lo; return x; }
-static inline phd_pair phd_negate(phd_pair x) { return phd_make(-x.hi, -x.lo); }
-static inline phd_pair phd_scale(phd_pair x, double power_of_two) { return phd_make(x.hi * power_of_two, x.lo * power_of_two); }
-
-/* The upper half of a double, of at most 26 bits; what is left is exact and as short. Veltkamp. */
-static inline double phd_upper(double a)
+static inline phd_pair phd_make_pair(double hi, double lo)
 {
-    const double c = 134217729.0 * a;
-    return c - (c - a);
+    phd_pair all;
+    all.hi = hi; all.lo = lo;
+    return all;
+}
+
+/* Return the product and its exact error, as long as that does not underflow [Dekker–Veltkamp]. */
+static inline phd_pair phd_two_product(double a, double b)
+{
+    const double p = a * b;
+    const double t = PHD_SPLITTING * a;
+    const double u = PHD_SPLITTING * b;
+    const double ah = t - (t - a);
+    const double bh = u - (u - b);
+    const double al = a - ah;
+    const double bl = b - bh;
+    return phd_make_pair(p, ah * bh - p + ah * bl + al * bh + al * bl);
+}
+
+static inline double phd_whole(double x)
+{
+    return x + PHD_ROUNDING - PHD_ROUNDING;
+}
+
+/* Return sin 2πx and cos 2πx, |x| ≤ ½. */
+static inline phd_pair phd_sine_cosine(double x)
+{
+    const double quarter = phd_whole(4.0 * x);
+    const double r = x - 0.25 * quarter;
+    const double z = r * r;
+    const double s =
+        r
+        * (PHD_S0
+        + z
+        * (PHD_S1
+        + z * (PHD_S2 + z * (PHD_S3 + z * (PHD_S4 + z * (PHD_S5 + z * (PHD_S6 + z * (PHD_S7 + z * PHD_S8))))))));
+    const double c =
+        PHD_C0
+        + z
+        * (PHD_C1
+        + z
+        * (PHD_C2
+        + z * (PHD_C3 + z * (PHD_C4 + z * (PHD_C5 + z * (PHD_C6 + z * (PHD_C7 + z * (PHD_C8 + z * PHD_C9))))))));
+    const double n = quarter - 4.0 * floor(0.25 * quarter);
+    const int odd = n == 1.0 || n == 3.0;
+    const phd_pair of_a_b = odd ? phd_make_pair(c, s) : phd_make_pair(s, c);
+    const double a = of_a_b.hi, b = of_a_b.lo;
+    return phd_make_pair(n >= 2.0 ? -a : a, n == 1.0 || n == 2.0 ? -b : b);
+}
+
+static inline phd_pair phd_halves(double x)
+{
+    const double t = PHD_SPLITTING * x;
+    const double high = t - (t - x);
+    return phd_make_pair(high, x - high);
 }
 
 static inline phd_pair phd_two_sum(double a, double b)
 {
-    const double s = a + b, t = s - a;
-    return phd_make(s, (a - (s - t)) + (b - t));
+    const double s = a + b;
+    const double t = s - a;
+    return phd_make_pair(s, a - (s - t) + (b - t));
+}
+
+typedef struct { double at[3]; } phd_three;
+
+static inline phd_three phd_make_three(double x0, double x1, double x2)
+{
+    phd_three all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2;
+    return all;
+}
+
+/* Return circular.reduced_phase. */
+static inline phd_three phd_phase(phd_three rate, phd_three time)
+{
+    const double upper = rate.at[0], lower = rate.at[1], least = rate.at[2];
+    const double high = time.at[0], low = time.at[1], rest = time.at[2];
+    const double a = upper * high;
+    const double b = upper * low;
+    const double c = lower * high;
+    const double na = phd_whole(a);
+    const double nb = phd_whole(b);
+    const double nc = phd_whole(c);
+    const double d = lower * low + least * (high + low) + (upper + lower) * rest;
+    const phd_pair of_two_sum = phd_two_sum(b - nb, c - nc);
+    const double middle = of_two_sum.hi, middle_error = of_two_sum.lo;
+    const phd_pair of_two_sum_2 = phd_two_sum(a - na, middle);
+    const double fraction = of_two_sum_2.hi, error = of_two_sum_2.lo;
+    const double more = phd_whole(fraction);
+    return phd_make_three(fraction - more, error + (middle_error + d), na + (nb + nc) + more);
+}
+
+static inline phd_pair phd_two_square(double a)
+{
+    return phd_two_product(a, a);
 }
 
 static inline phd_pair phd_fast_two_sum(double a, double b)
 {
     const double s = a + b;
-    return phd_make(s, b - (s - a));
-}
-
-static inline phd_pair phd_two_product(double a, double b)
-{
-    const double ah = phd_upper(a), al = a - ah, bh = phd_upper(b), bl = b - bh, p = a * b;
-    return phd_make(p, ((ah * bh - p) + ah * bl + al * bh) + al * bl);
+    return phd_make_pair(s, b - (s - a));
 }
 
 static inline phd_pair phd_add(phd_pair x, phd_pair y)
 {
-    const phd_pair s = phd_two_sum(x.hi, y.hi);
-    return phd_fast_two_sum(s.hi, s.lo + (x.lo + y.lo));
+    const phd_pair of_two_sum = phd_two_sum(x.hi, y.hi);
+    const double s = of_two_sum.hi, e = of_two_sum.lo;
+    return phd_fast_two_sum(s, e + (x.lo + y.lo));
 }
 
-static inline phd_pair phd_subtract(phd_pair x, phd_pair y) { return phd_add(x, phd_negate(y)); }
+static inline phd_pair phd_subtract(phd_pair x, phd_pair y)
+{
+    return phd_add(x, phd_make_pair(-y.hi, -y.lo));
+}
 
 static inline phd_pair phd_multiply(phd_pair x, phd_pair y)
 {
-    const phd_pair p = phd_two_product(x.hi, y.hi);
-    return phd_fast_two_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
+    const phd_pair of_two_product = phd_two_product(x.hi, y.hi);
+    const double p = of_two_product.hi, e = of_two_product.lo;
+    return phd_fast_two_sum(p, e + (x.hi * y.lo + x.lo * y.hi));
 }
 
-static inline phd_pair phd_times(phd_pair x, double y) { return phd_multiply(x, phd_make(y, 0.0)); }
-static inline phd_pair phd_square(phd_pair x) { return phd_multiply(x, x); }
+static inline phd_pair phd_multiply_float(phd_pair x, double factor)
+{
+    const phd_pair of_two_product = phd_two_product(x.hi, factor);
+    const double p = of_two_product.hi, e = of_two_product.lo;
+    return phd_fast_two_sum(p, e + x.lo * factor);
+}
+
+static inline phd_pair phd_square(phd_pair x)
+{
+    const phd_pair of_two_product = phd_two_product(x.hi, x.hi);
+    const double p = of_two_product.hi, e = of_two_product.lo;
+    return phd_fast_two_sum(p, e + 2.0 * x.hi * x.lo);
+}
+
+static inline phd_pair phd_scale(phd_pair x, double power_of_two)
+{
+    return phd_make_pair(x.hi * power_of_two, x.lo * power_of_two);
+}
 
 static inline phd_pair phd_divide(phd_pair x, phd_pair y)
 {
     const double q = x.hi / y.hi;
-    const phd_pair p = phd_two_product(q, y.hi);
-    return phd_fast_two_sum(q, (((x.hi - p.hi) - p.lo) + (x.lo - q * y.lo)) / y.hi);
+    const phd_pair of_two_product = phd_two_product(q, y.hi);
+    const double p = of_two_product.hi, e = of_two_product.lo;
+    const double r = x.hi - p - e + (x.lo - q * y.lo);
+    return phd_fast_two_sum(q, r / y.hi);
 }
 
-static inline phd_pair phd_sqrt(phd_pair x)
+/* Return √x of a positive number. */
+static inline phd_pair phd_root(phd_pair x)
 {
     const double s = sqrt(x.hi);
-    const phd_pair p = phd_two_product(s, s);
-    return phd_fast_two_sum(s, (((x.hi - p.hi) - p.lo) + x.lo) / (s > 0.0 ? s + s : 1.0));
+    const phd_pair of_two_product = phd_two_product(s, s);
+    const double p = of_two_product.hi, e = of_two_product.lo;
+    return phd_fast_two_sum(s, (x.hi - p - e + x.lo) / (s + s));
 }
 
-/* An unevaluated sum of floats, exact. Shewchuk 1997. */
-typedef struct { int count; double term[64]; } phd_sum;
-
-static inline phd_sum phd_sum_of(phd_pair x) { phd_sum s; s.count = 2; s.term[0] = x.hi; s.term[1] = x.lo; return s; }
-
-static inline phd_sum phd_joined(phd_sum x, const phd_sum *y, double power_of_two)
+/* Return √x, zero for x = 0. */
+static inline phd_pair phd_root_or_zero(phd_pair x)
 {
-    int k;
-    for (k = 0; k < y->count; k++) x.term[x.count++] = y->term[k] * power_of_two;
-    return x;
+    const int zero = x.hi == 0.0;
+    return zero ? phd_make_pair(0.0, 0.0) : phd_root(zero ? phd_make_pair(1.0, 0.0) : x);
 }
 
-static inline phd_sum phd_sum_times(const phd_sum *x, double factor)
+static const phd_pair PHD_PI = {3.141592653589793, 1.2246467991473532e-16};
+static const phd_pair PHD_INVERSE_TWO_PI = {0.15915494309189535, -9.839338337591243e-18};
+static const phd_pair PHD_LN2 = {0.6931471805599453, 2.3190468138462996e-17};
+/* the closing formulas of the mean leave an error of the fourth power */
+static const double PHD_CONVERGED = 2e-08;
+static const int PHD_MOST_STEPS = 20;
+/* steps of all, before the first is looked at */
+static const int PHD_AT_ONCE = 3;
+/* Return the leading part of −(x + rest)(upper + lower), which is exact, and the factor for the rest. */
+static inline phd_pair phd_exponent(double x, double rest, double upper, double lower)
 {
-    phd_sum s;
-    int k;
-    s.count = 2 * x->count;
-    for (k = 0; k < x->count; k++) {
-        const phd_pair p = phd_two_product(x->term[k], factor);
-        s.term[2 * k] = p.hi;
-        s.term[2 * k + 1] = p.lo;
+    /* −(x + rest)(upper + lower) = −high · upper − small, and e^(−small) to second order */
+    const phd_pair of_halves = phd_halves(x);
+    const double high = of_halves.hi, low = of_halves.lo;
+    const double small = high * lower + low * (upper + lower) + rest * upper;
+    return phd_make_pair(-(high * upper), 1.0 - small * (1.0 - 0.5 * small));
+}
+
+/* Return an argument in half periods as a number within ±½ and its rest, and the half periods taken out.
+
+   On the separatrix, where periodic is zero, it runs to infinity and none is taken out. */
+static inline phd_three phd_reduced_argument(phd_three rate, phd_pair start, double periodic, phd_three time)
+{
+    const phd_three of_phase = phd_phase(rate, time);
+    const double fraction = of_phase.at[0], rest = of_phase.at[1], turned = of_phase.at[2];
+    const phd_pair of_two_sum = phd_two_sum((1.0 - periodic) * turned, fraction);
+    const double total = of_two_sum.hi, first_error = of_two_sum.lo;
+    const phd_pair of_two_sum_2 = phd_two_sum(total, start.hi);
+    double u = of_two_sum_2.hi;
+    const double second_error = of_two_sum_2.lo;
+    const phd_pair of_fast_two_sum = phd_fast_two_sum(u, rest + (start.lo + (first_error + second_error)));
+    u = of_fast_two_sum.hi;
+    const double u_rest = of_fast_two_sum.lo;
+    const double more = periodic * rint(u);
+    return phd_make_three(u - more, u_rest, periodic * turned + more);
+}
+
+/* Return elliptic.nome_per_parameter. */
+static inline double phd_nome_per_parameter(double parameter, double k)
+{
+    const double more = 1.0 + sqrt(k);
+    const double ratio = 0.5 / ((1.0 + k) * more * more);
+    const double e = ratio * parameter;
+    const double e4 = e * e * (e * e);
+    return ratio * (1.0 + e4 * (2.0 + e4 * (15.0 + e4 * (150.0 + e4 * 1707.0))));
+}
+
+/* Return a period over θ3², of which 1/θ3² is 1 less a small correction. */
+static inline phd_pair phd_by_theta(phd_pair period, double nome)
+{
+    const double q4 = nome * nome * (nome * nome);
+    const double e = 2.0 * (nome + q4 + q4 * q4 * nome);
+    return phd_add(period, phd_make_pair(-period.hi * (e * (2.0 + e) / ((1.0 + e) * (1.0 + e))), 0.0));
+}
+
+typedef struct { phd_pair at[5]; } phd_five_pairs;
+
+static inline phd_five_pairs phd_make_five_pairs(phd_pair x0, phd_pair x1, phd_pair x2, phd_pair x3, phd_pair x4)
+{
+    phd_five_pairs all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3; all.at[4] = x4;
+    return all;
+}
+
+/* Take a step of the arithmetic–geometric mean and its third-kind sum, in double-double.
+
+   With ε = (p²−ag)/(p²+ag), Q ← Qε/2 and p ← (p²+ag)/2p; the sum is of all Q, from Q = 1. Arithmetic and square
+   roots
+   alone give complete elliptic integrals of the first and third kind, so that the rates of exact motion carry thirty
+   digits and their phases stay right for any time. Source: Carlson, SIAM J. Math. Anal. 8 (1977) 231. */
+static inline phd_five_pairs phd_mean_step(phd_pair a, phd_pair g, phd_pair pp, phd_pair q, phd_pair total)
+{
+    const phd_pair ag = phd_multiply(a, g);
+    const phd_pair both = phd_add(pp, ag);
+    q = phd_scale(phd_multiply(q, phd_divide(phd_subtract(pp, ag), both)), 0.5);
+    return phd_make_five_pairs(phd_scale(phd_add(a, g), 0.5), phd_root(ag),
+        phd_scale(phd_divide(phd_square(both), pp), 0.25), q, phd_add(total, q));
+}
+
+typedef struct {
+    double first;
+    double second;
+    phd_pair third;
+} phd_two_numbers_pair;
+
+static inline phd_two_numbers_pair phd_make_two_numbers_pair(double first, double second, phd_pair third)
+{
+    phd_two_numbers_pair all;
+    all.first = first; all.second = second; all.third = third;
+    return all;
+}
+
+/* Return x = (a−g)/(a+g), ε and (a+g)/2; ag is taken as ((a+g)/2)² − ((a−g)/2)², which does not cancel in ε. */
+static inline phd_two_numbers_pair phd_mean_distance(phd_pair a, phd_pair g, phd_pair pp)
+{
+    const phd_pair middle = phd_scale(phd_add(a, g), 0.5);
+    const double half = 0.5 * (a.hi - g.hi + (a.lo - g.lo));
+    const phd_pair d = phd_subtract(pp, phd_square(middle));
+    const double e = d.hi + d.lo + half * half;
+    return phd_make_two_numbers_pair(half / middle.hi, e / (2.0 * middle.hi * middle.hi + e), middle);
+}
+
+typedef struct { phd_pair at[2]; } phd_two_pairs;
+
+static inline phd_two_pairs phd_make_two_pairs(phd_pair x0, phd_pair x1)
+{
+    phd_two_pairs all;
+    all.at[0] = x0; all.at[1] = x1;
+    return all;
+}
+
+/* Return the mean and the sum of what mean_distance returns, exact where that is below CONVERGED. */
+static inline phd_two_pairs phd_mean_closed(double x, double e, phd_pair middle, double q, phd_pair total)
+{
+    const double last = 0.5 * q * e;
+    const double rest = last + last * (0.25 * (e * e - 0.5 * x * x));
+    /* agm(1 + x, 1 − x) = 1 − x²/4 + O(x⁴) */
+    return phd_make_two_pairs(phd_add(middle, phd_make_pair(-0.25 * middle.hi * x * x, 0.0)),
+        phd_add(total, phd_make_pair(rest, 0.0)));
+}
+
+typedef struct {
+    phd_five_pairs first;
+    double second;
+} phd_five_pairs_number;
+
+static inline phd_five_pairs_number phd_make_five_pairs_number(phd_five_pairs first, double second)
+{
+    phd_five_pairs_number all;
+    all.first = first; all.second = second;
+    return all;
+}
+
+/* Return where the mean of positive a and g begins, with the sum that starts from p², and the exponent taken out.
+
+   Rates go down to 1e-150, whose fourth powers would underflow. Scaled down, a tiny g would. */
+static inline phd_five_pairs_number phd_mean_start(phd_pair a, phd_pair g, phd_pair pp)
+{
+    const double power = phd_smaller(phd_binary_exponent(a.hi), 0.0 * a.hi);
+    const double up = phd_times_power(1.0, -power);
+    const phd_pair one = phd_make_pair(1.0, 0.0);
+    return phd_make_five_pairs_number(phd_make_five_pairs(phd_scale(a, up), phd_scale(g, up),
+            phd_scale(phd_scale(pp, up), up), one, one), power);
+}
+
+/* Return the mean after a step. */
+static inline phd_five_pairs phd_mean_next(phd_five_pairs state)
+{
+    const phd_pair a = state.at[0], g = state.at[1], pp = state.at[2], q = state.at[3], total = state.at[4];
+    return phd_mean_step(a, g, pp, q, total);
+}
+
+/* Return whether the closing formulas are exact. */
+static inline int phd_mean_converged(phd_five_pairs state)
+{
+    const phd_two_numbers_pair of_mean_distance = phd_mean_distance(state.at[0], state.at[1], state.at[2]);
+    const double x = of_mean_distance.first, e = of_mean_distance.second;
+    return fabs(x) < PHD_CONVERGED && fabs(e) < PHD_CONVERGED;
+}
+
+/* Return mean and sum, of which the first lacks the exponent taken out. */
+static inline phd_two_pairs phd_mean_end(phd_five_pairs state)
+{
+    const phd_two_numbers_pair of_mean_distance = phd_mean_distance(state.at[0], state.at[1], state.at[2]);
+    const double x = of_mean_distance.first, e = of_mean_distance.second;
+    const phd_pair middle = of_mean_distance.third;
+    return phd_mean_closed(x, e, middle, state.at[3].hi, state.at[4]);
+}
+
+/* Return agm(a, g) of positive numbers, and the sum that starts from p² = pp. */
+static inline phd_two_pairs phd_third_kind_mean(phd_pair a, phd_pair g, phd_pair pp)
+{
+    const phd_five_pairs_number of_mean_start = phd_mean_start(a, g, pp);
+    const phd_five_pairs state = of_mean_start.first;
+    const double power = of_mean_start.second;
+    phd_five_pairs running = state;
+    for (int k = 0; k < PHD_MOST_STEPS; k++) {
+        if (k >= PHD_AT_ONCE && phd_mean_converged(running)) {
+            break;
+        }
+        running = phd_mean_next(running);
     }
-    return s;
+    const phd_two_pairs of_mean_end = phd_mean_end(running);
+    const phd_pair mean = of_mean_end.at[0], total = of_mean_end.at[1];
+    return phd_make_two_pairs(phd_scale(mean, phd_times_power(1.0, power)), total);
 }
 
-static inline phd_sum phd_sum_times_sum(const phd_sum *x, const phd_sum *y)
-{
-    phd_sum s;
-    int k;
-    s.count = 0;
-    for (k = 0; k < y->count; k++) {
-        const phd_sum part = phd_sum_times(x, y->term[k]);
-        s = phd_joined(s, &part, 1.0);
-    }
-    return s;
-}
-
-/* Moves the leading part to the end; the sum stays exactly what it was. Ogita, Rump & Oishi 2005. */
-static inline void phd_sweep(phd_sum *x)
-{
-    double running = x->term[0];
-    int k;
-    for (k = 1; k < x->count; k++) {
-        const phd_pair s = phd_two_sum(running, x->term[k]);
-        running = s.hi;
-        x->term[k - 1] = s.lo;
-    }
-    x->term[x->count - 1] = running;
-}
-
-/* The sum to double-double accuracy, whatever cancels, up to 2^-265. */
-static inline phd_pair phd_distil(phd_sum x)
-{
-    double rest;
-    int k;
-    for (k = 0; k < 5; k++) phd_sweep(&x);
-    rest = x.term[0];
-    for (k = 1; k < x.count - 1; k++) rest += x.term[k];
-    return phd_two_sum(x.term[x.count - 1], rest);
-}
-
-/* The sum as one of `count` floats, largest last, correct to 2^(-53 count) of its size. */
-static inline phd_sum phd_compress(phd_sum x, int count)
-{
-    int k;
-    if (x.count <= count) return x;
-    for (k = 0; k <= count; k++) phd_sweep(&x);
-    for (k = 0; k < count; k++) x.term[k] = x.term[x.count - count + k];
-    x.count = count;
-    return x;
-}
-
-static inline int phd_exponent(double x) { int e; (void)frexp(x, &e); return e; }
-static inline double phd_largest3(const double v[3]) { return fmax(fmax(fabs(v[0]), fabs(v[1])), fabs(v[2])); }
+/* ---------------------------------------------------------------- what both motions are made of */
 
 static inline int phd_arithmetic_is_exact(void)
 {
     volatile double a = 1.0 + 1.0 / 1073741824.0, big = 1e16, small = 0.1, third = 1.0 / 3.0;
-    const phd_pair p = phd_two_product(a, a), s = phd_two_sum(big, small);
-    const double half = phd_upper(third), rest = third - half;
-    return p.lo == 1.0 / 1152921504606846976.0 && s.hi == 1e16 && s.lo == small
-        && half * 67108864.0 == floor(half * 67108864.0 * 4.0) / 4.0 && fabs(rest) < 1e-8;
+    const phd_pair product = phd_two_product(a, a), sum = phd_two_sum(big, small), halves = phd_halves(third);
+    return product.lo == 1.0 / 1152921504606846976.0 && sum.hi == 1e16 && sum.lo == small
+        && halves.hi * 67108864.0 == floor(halves.hi * 67108864.0 * 4.0) / 4.0 && fabs(halves.lo) < 1e-8;
 }
 
-static inline int phd_are_finite(const double *v, int count)
+static inline int phd_are_finite(const double *values, int count)
 {
-    int k;
-    for (k = 0; k < count; k++) if (!isfinite(v[k])) return 0;
+    for (int k = 0; k < count; k++) if (!isfinite(values[k])) return 0;
     return 1;
+}
+
+static inline double phd_length(const double *values, int count)
+{
+    double sum = 0.0;
+    for (int k = 0; k < count; k++) sum += values[k] * values[k];
+    return sqrt(sum);
 }
 
 /* Returns the first error in what both motions are made of. */
 static inline int phd_check(const double moments[3], const double momentum[3], const double attitude[4], double epoch)
 {
-    int k;
     if (!phd_arithmetic_is_exact()) return POLHODE_BAD_ARITHMETIC;
-    for (k = 0; k < 3; k++) if (!(moments[k] > 0.0 && isfinite(moments[k]))) return POLHODE_BAD_MOMENTS;
+    for (int k = 0; k < 3; k++) if (!(moments[k] > 0.0 && isfinite(moments[k]))) return POLHODE_BAD_MOMENTS;
     if (!phd_are_finite(momentum, 3)) return POLHODE_BAD_MOMENTUM;
-    if (attitude) {
-        const double size = sqrt(attitude[0] * attitude[0] + attitude[1] * attitude[1] + attitude[2] * attitude[2]
-                                 + attitude[3] * attitude[3]);
-        if (!(fabs(size - 1.0) < 1e-6)) return POLHODE_BAD_ATTITUDE;
-    }
+    if (attitude && !(fabs(phd_length(attitude, 4) - 1.0) < 1e-6)) return POLHODE_BAD_ATTITUDE;
     return isfinite(epoch) ? POLHODE_OK : POLHODE_BAD_EPOCH;
 }
 
-/* ---------------------------------------------------------------- phases in turns, decay, elliptic integrals */
-
-typedef struct { double upper, lower, rest; } phd_rate; /* [turns per time], in halves whose products are exact */
-typedef struct { double high, low, rest; } phd_time; /* in halves, and what is left where t - epoch is no double */
-typedef struct { double fraction, rest, turns; } phd_phase;
-typedef struct { double sine, cosine; } phd_wave;
-
-static inline phd_rate phd_split(phd_pair rate)
+static inline double phd_fastest(const double moments[3], const double momentum[3])
 {
-    phd_rate r;
-    r.upper = phd_upper(rate.hi);
-    r.lower = rate.hi - r.upper;
-    r.rest = rate.lo;
-    return r;
+    double fastest = 0.0;
+    for (int k = 0; k < 3; k++) fastest = phd_larger(fastest, fabs(momentum[k] / moments[k]));
+    return fastest;
 }
 
-/* Reduces rate times time to a fraction of a turn, exactly, and whole turns. */
-static inline phd_phase phd_reduce(phd_rate rate, phd_time t)
+static inline double phd_kinetic_energy(const double moments[3], const double momentum[3])
 {
-    const double a = rate.upper * t.high, b = rate.upper * t.low, c = rate.lower * t.high;
-    const double na = rint(a), nb = rint(b), nc = rint(c);
-    const double d = (rate.lower * t.low + rate.rest * (t.high + t.low)) + (rate.upper + rate.lower) * t.rest;
-    /* each remainder may reach half a turn: a plain sum would cost 1e-16 turns */
-    const phd_pair middle = phd_two_sum(b - nb, c - nc), sum = phd_two_sum(a - na, middle.hi);
-    const double more = rint(sum.hi);
-    phd_phase p;
-    p.fraction = sum.hi - more;
-    p.rest = sum.lo + (middle.lo + d);
-    p.turns = na + (nb + nc) + more;
-    return p;
+    double sum = 0.0;
+    for (int k = 0; k < 3; k++) sum += momentum[k] / moments[k] * momentum[k];
+    return 0.5 * sum;
 }
 
-static const phd_time PHD_EPOCH = {0.0, 0.0, 0.0};
-
-/* The time since the epoch, exactly. */
-static inline phd_time phd_since(double t, double epoch)
+/* Gives the time since the epoch, exactly, in two doubles; refuses times whose phases have hardly a digit left. */
+static inline int phd_since(double t, double epoch, double fastest, phd_pair *elapsed)
 {
-    const phd_pair elapsed = phd_two_sum(t, -epoch);
-    phd_time since;
-    since.high = phd_upper(elapsed.hi);
-    since.low = elapsed.hi - since.high;
-    since.rest = elapsed.lo;
-    return since;
+    *elapsed = phd_two_sum(t, -epoch);
+    return fabs(elapsed->hi) * fastest <= 1e27 ? POLHODE_OK : POLHODE_BAD_TIME;
 }
 
-static inline double phd_wrapped(double turns) { return turns - rint(turns); }
+/* ---------------------------------------------------------------- formulas of the free body */
 
-static inline phd_wave phd_sine_cosine(double turns)
+/* of components of L, below which numbers with it are scaled up by LIFT binary places */
+static const double PHD_FREE_TINY_RATIO = 1.1830521861667747e-271;
+static const double PHD_FREE_LIFT = 100.0;
+/* products of double-doubles above it have all their digits */
+static const double PHD_FREE_SHARP = 1e-280;
+/* of the terms of S: what is left below it is summed exactly */
+static const double PHD_FREE_NEAR = 0.01;
+static const int PHD_FREE_SWEEPS = 5;
+/* A body with sorted axes and without powers of two. */
+typedef struct {
+    phd_three moments; /* ascending, ½ ≤ I3 < 1 */
+    phd_three momentum; /* along the sorted axes, ½ ≤ max |L_i| < 1, times 2^LIFT if a component is tiny */
+    phd_three order; /* which of the given axes they are */
+    double parity; /* −1 if sorting is no proper rotation; the momentum then has the other sign */
+    double momentum_scale; /* powers of two taken out */
+    double rate_scale;
+} phd_free_scaled_record;
+
+static inline phd_free_scaled_record phd_make_free_scaled_record(phd_three moments, phd_three momentum, phd_three order,
+    double parity, double momentum_scale, double rate_scale)
 {
-    const double t = tan(phd_wrapped(turns) * PHD_PI.hi), d = 2.0 / (t * t + 1.0);
-    phd_wave w;
-    w.sine = t * d;
-    w.cosine = d - 1.0;
-    return w;
+    phd_free_scaled_record all;
+    all.moments = moments; all.momentum = momentum; all.order = order; all.parity = parity;
+    all.momentum_scale = momentum_scale; all.rate_scale = rate_scale;
+    return all;
 }
 
-/* exp(-(x + rest)(high + low)) with the exponent's product exact in its leading part */
-static inline double phd_decay(double x, double rest, double high, double low)
+/* Invariants before the mirror, each a sum of terms of one sign. */
+typedef struct {
+    phd_pair A;
+    phd_pair B;
+    phd_pair C;
+    phd_pair P;
+    phd_pair Q;
+    phd_pair G2;
+} phd_free_sums_record;
+
+static inline phd_free_sums_record phd_make_free_sums_record(phd_pair A, phd_pair B, phd_pair C, phd_pair P, phd_pair Q,
+    phd_pair G2)
 {
-    const double xh = phd_upper(x), xl = x - xh;
-    const double small = (xh * low + xl * (high + low)) + rest * high;
-    return exp(-(xh * high)) * (1.0 - small * (1.0 - 0.5 * small));
+    phd_free_sums_record all;
+    all.A = A; all.B = B; all.C = C; all.P = P; all.Q = Q; all.G2 = G2;
+    return all;
 }
 
-typedef struct { double x, e; phd_pair middle; } phd_closing;
+/* A body in canonical form; all pairs are double-double.
 
-static inline phd_closing phd_close(phd_pair a, phd_pair g, phd_pair pp)
+   With V = I1 I2 I3: A = (I2−I1)I3, B = (I3−I2)I1, C = (I3−I1)I2, P = C L1² + B L2², Q = A L2² + C L3² and
+   S = A L1² − B L3² ≤ 0 are V times the textbook quantities, which avoids all divisions; the mirror has been
+   applied. */
+typedef struct {
+    phd_three moments; /* those of Scaled */
+    phd_three momentum;
+    phd_three canonical; /* momentum after mirror and half turn, third component ≥ 0 */
+    phd_pair A;
+    phd_pair B;
+    phd_pair C;
+    phd_pair P;
+    phd_pair Q;
+    phd_pair S;
+    phd_pair root_S; /* √−S, accurate where S itself underflows */
+    double root_P; /* √P, likewise */
+    phd_pair V;
+    phd_pair G2; /* |L|² */
+    int long_axis; /* whether the mirror was applied */
+    phd_three order; /* which of the given axes the canonical ones are */
+    double parity; /* that of Scaled */
+    double half_turn; /* −1 where the half turn about the second axis was applied */
+    double momentum_scale; /* powers of two taken out */
+    double rate_scale;
+} phd_free_reduction_record;
+
+static inline phd_free_reduction_record phd_make_free_reduction_record(phd_three moments, phd_three momentum,
+    phd_three canonical, phd_pair A, phd_pair B, phd_pair C, phd_pair P, phd_pair Q, phd_pair S, phd_pair root_S,
+    double root_P, phd_pair V, phd_pair G2, int long_axis, phd_three order, double parity, double half_turn,
+    double momentum_scale, double rate_scale)
 {
-    phd_closing c;
-    double half, e;
-    phd_pair d;
-    c.middle = phd_scale(phd_add(a, g), 0.5);
-    half = 0.5 * ((a.hi - g.hi) + (a.lo - g.lo));
-    d = phd_subtract(pp, phd_square(c.middle));
-    e = d.hi + d.lo + half * half;
-    c.x = half / c.middle.hi;
-    c.e = e / (2.0 * c.middle.hi * c.middle.hi + e);
-    return c;
+    phd_free_reduction_record all;
+    all.moments = moments; all.momentum = momentum; all.canonical = canonical; all.A = A; all.B = B; all.C = C;
+    all.P = P; all.Q = Q; all.S = S; all.root_S = root_S; all.root_P = root_P; all.V = V; all.G2 = G2;
+    all.long_axis = long_axis; all.order = order; all.parity = parity; all.half_turn = half_turn;
+    all.momentum_scale = momentum_scale; all.rate_scale = rate_scale;
+    return all;
 }
 
-/* Returns agm(a, g), and in *total the third-kind sum that starts from p^2 = pp. Carlson, SIAM J. Math. Anal. 8 (1977) 231. */
-static inline phd_pair phd_agm(phd_pair a, phd_pair g, phd_pair pp, phd_pair *total)
+typedef struct {
+    phd_three first;
+    phd_three second;
+    double third;
+} phd_two_threes_number;
+
+static inline phd_two_threes_number phd_make_two_threes_number(phd_three first, phd_three second, double third)
 {
-    const int exponent = phd_exponent(a.hi) < 0 ? phd_exponent(a.hi) : 0;
-    const double up = ldexp(1.0, exponent), down = ldexp(1.0, -exponent);
-    phd_pair q = PHD_ONE, sum = PHD_ONE;
-    phd_closing c;
-    double last;
-    int k;
-    a = phd_scale(a, down);
-    g = phd_scale(g, down);
-    pp = phd_scale(phd_scale(pp, down), down);
-    for (k = 0; k < 23; k++) {
-        phd_pair ag, s, e;
-        c = phd_close(a, g, pp);
-        if (k >= 3 && fabs(c.x) < 2e-8 && fabs(c.e) < 2e-8) break; /* closing leaves an error of the fourth power */
-        ag = phd_multiply(a, g);
-        s = phd_add(pp, ag);
-        e = phd_divide(phd_subtract(pp, ag), s);
-        q = phd_scale(phd_multiply(q, e), 0.5);
-        pp = phd_scale(phd_divide(phd_square(s), pp), 0.25);
-        a = phd_scale(phd_add(a, g), 0.5);
-        g = phd_sqrt(ag);
-        sum = phd_add(sum, q);
+    phd_two_threes_number all;
+    all.first = first; all.second = second; all.third = third;
+    return all;
+}
+
+static inline phd_two_threes_number phd_free_in_order(phd_three one, phd_three other, double parity)
+{
+    const int swap = other.at[0] < one.at[0];
+    return phd_make_two_threes_number(phd_make_three(swap ? other.at[0] : one.at[0], swap ? other.at[1] : one.at[1],
+            swap ? other.at[2] : one.at[2]),
+        phd_make_three(swap ? one.at[0] : other.at[0], swap ? one.at[1] : other.at[1], swap ? one.at[2] : other.at[2]),
+        swap ? -parity : parity);
+}
+
+static inline double phd_free_size(double x, double size)
+{
+    return x == 0.0 ? size : fabs(x);
+}
+
+/* Sort the axes by their moments, and take out powers of two. */
+static inline phd_free_scaled_record phd_free_scaled(phd_three moments, phd_three momentum)
+{
+    const phd_two_threes_number of_in_order = phd_free_in_order(phd_make_three(moments.at[0], momentum.at[0], 0.0),
+        phd_make_three(moments.at[1], momentum.at[1], 1.0), 1.0);
+    phd_three x = of_in_order.first;
+    phd_three y = of_in_order.second;
+    double parity = of_in_order.third;
+    const phd_two_threes_number of_in_order_2 = phd_free_in_order(y, phd_make_three(moments.at[2], momentum.at[2], 2.0),
+        parity);
+    y = of_in_order_2.first;
+    parity = of_in_order_2.third;
+    const phd_three z = of_in_order_2.second;
+    const phd_two_threes_number of_in_order_3 = phd_free_in_order(x, y, parity);
+    x = of_in_order_3.first;
+    y = of_in_order_3.second;
+    parity = of_in_order_3.third;
+    const double size = phd_larger(phd_larger(fabs(x.at[1]), fabs(y.at[1])), fabs(z.at[1]));
+    /* a component down to the smallest number keeps its digits in what is formed of it */
+    const double smallest = phd_smaller(phd_smaller(phd_free_size(x.at[1], size), phd_free_size(y.at[1], size)),
+        phd_free_size(z.at[1], size));
+    const double of_momentum =
+        phd_binary_exponent(size) - (smallest < PHD_FREE_TINY_RATIO * size ? PHD_FREE_LIFT : 0.0);
+    const double of_moments = phd_binary_exponent(z.at[0]);
+    return phd_make_free_scaled_record(phd_make_three(phd_times_power(x.at[0], -of_moments),
+            phd_times_power(y.at[0], -of_moments), phd_times_power(z.at[0], -of_moments)),
+        phd_make_three(parity * phd_times_power(x.at[1], -of_momentum), parity * phd_times_power(y.at[1], -of_momentum),
+            parity * phd_times_power(z.at[1], -of_momentum)), phd_make_three(x.at[2], y.at[2], z.at[2]), parity,
+        phd_times_power(1.0, of_momentum), phd_times_power(1.0, of_momentum - of_moments));
+}
+
+/* Return the invariants but S. */
+static inline phd_free_sums_record phd_free_sums_of(const phd_free_scaled_record *body)
+{
+    const double i1 = body->moments.at[0], i2 = body->moments.at[1], i3 = body->moments.at[2];
+    const double x = body->momentum.at[0], y = body->momentum.at[1], z = body->momentum.at[2];
+    const phd_pair a = phd_multiply_float(phd_two_sum(i2, -i1), i3);
+    const phd_pair b = phd_multiply_float(phd_two_sum(i3, -i2), i1);
+    const phd_pair c = phd_multiply_float(phd_two_sum(i3, -i1), i2);
+    const phd_pair s1 = phd_two_square(x);
+    const phd_pair s2 = phd_two_square(y);
+    const phd_pair s3 = phd_two_square(z);
+    const phd_pair p = phd_add(phd_multiply(c, s1), phd_multiply(b, s2));
+    const phd_pair q = phd_add(phd_multiply(a, s2), phd_multiply(c, s3));
+    return phd_make_free_sums_record(a, b, c, p, q, phd_add(phd_add(s1, s2), s3));
+}
+
+static inline double phd_free_exponent_near_saddle(const phd_free_scaled_record *body)
+{
+    return phd_binary_exponent(phd_larger(fabs(body->momentum.at[0]), fabs(body->momentum.at[2])));
+}
+
+typedef struct {
+    phd_three first;
+    double second;
+    double third;
+} phd_three_two_numbers;
+
+static inline phd_three_two_numbers phd_make_three_two_numbers(phd_three first, double second, double third)
+{
+    phd_three_two_numbers all;
+    all.first = first; all.second = second; all.third = third;
+    return all;
+}
+
+/* Return the moments, and L1 and L3 scaled up: near the saddle their squares would lose their low words. */
+static inline phd_three_two_numbers phd_free_terms_of_distance(const phd_free_scaled_record *body)
+{
+    const double exponent = phd_free_exponent_near_saddle(body);
+    const double x = body->momentum.at[0], z = body->momentum.at[2];
+    return phd_make_three_two_numbers(body->moments, phd_times_power(x, -exponent), phd_times_power(z, -exponent));
+}
+
+typedef struct {
+    phd_pair first;
+    int second;
+} phd_pair_flag;
+
+static inline phd_pair_flag phd_make_pair_flag(phd_pair first, int second)
+{
+    phd_pair_flag all;
+    all.first = first; all.second = second;
+    return all;
+}
+
+/* Return A x² − B z² in double-double, and whether so much cancels that it is to be summed exactly. */
+static inline phd_pair_flag phd_free_plain_distance(phd_pair a, phd_pair b, double x, double z)
+{
+    const phd_pair first = phd_multiply(a, phd_two_square(x));
+    const phd_pair distance = phd_subtract(first, phd_multiply(b, phd_two_square(z)));
+    return phd_make_pair_flag(distance, fabs(distance.hi) < PHD_FREE_NEAR * first.hi);
+}
+
+typedef struct { double at[4]; } phd_four;
+
+static inline phd_four phd_make_four(double x0, double x1, double x2, double x3)
+{
+    phd_four all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3;
+    return all;
+}
+
+static inline phd_four phd_free_times(phd_pair terms, double factor)
+{
+    const phd_pair a = phd_two_product(terms.hi, factor);
+    const phd_pair b = phd_two_product(terms.lo, factor);
+    return phd_make_four(a.hi, a.lo, b.hi, b.lo);
+}
+
+typedef struct { phd_four at[4]; } phd_four_fours;
+
+static inline phd_four_fours phd_make_four_fours(phd_four x0, phd_four x1, phd_four x2, phd_four x3)
+{
+    phd_four_fours all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3;
+    return all;
+}
+
+/* Return the exact product of a gap, a moment and x²: a sum of floats, twice as many for each [Shewchuk 1997]. */
+static inline phd_four_fours phd_free_expanded(phd_pair gap, double moment, double x)
+{
+    const phd_four of_times = phd_free_times(gap, moment);
+    const double a = of_times.at[0], b = of_times.at[1], c = of_times.at[2], d = of_times.at[3];
+    const phd_four e = phd_free_times(phd_make_pair(a, b), x);
+    const phd_four f = phd_free_times(phd_make_pair(c, d), x);
+    return phd_make_four_fours(phd_free_times(phd_make_pair(e.at[0], e.at[1]), x),
+        phd_free_times(phd_make_pair(e.at[2], e.at[3]), x), phd_free_times(phd_make_pair(f.at[0], f.at[1]), x),
+        phd_free_times(phd_make_pair(f.at[2], f.at[3]), x));
+}
+
+typedef struct {
+    double first;
+    phd_four second;
+} phd_number_four;
+
+static inline phd_number_four phd_make_number_four(double first, phd_four second)
+{
+    phd_number_four all;
+    all.first = first; all.second = second;
+    return all;
+}
+
+/* Return a running sum with four terms more, and what each addition has rounded off. */
+static inline phd_number_four phd_free_swept_four(double running, phd_four terms)
+{
+    double a = terms.at[0];
+    double b = terms.at[1];
+    double c = terms.at[2];
+    double d = terms.at[3];
+    const phd_pair of_two_sum = phd_two_sum(running, a);
+    running = of_two_sum.hi;
+    a = of_two_sum.lo;
+    const phd_pair of_two_sum_2 = phd_two_sum(running, b);
+    running = of_two_sum_2.hi;
+    b = of_two_sum_2.lo;
+    const phd_pair of_two_sum_3 = phd_two_sum(running, c);
+    running = of_two_sum_3.hi;
+    c = of_two_sum_3.lo;
+    const phd_pair of_two_sum_4 = phd_two_sum(running, d);
+    running = of_two_sum_4.hi;
+    d = of_two_sum_4.lo;
+    return phd_make_number_four(running, phd_make_four(a, b, c, d));
+}
+
+typedef struct { phd_four at[8]; } phd_eight_fours;
+
+static inline phd_eight_fours phd_make_eight_fours(phd_four x0, phd_four x1, phd_four x2, phd_four x3, phd_four x4,
+    phd_four x5, phd_four x6, phd_four x7)
+{
+    phd_eight_fours all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3; all.at[4] = x4; all.at[5] = x5; all.at[6] = x6;
+    all.at[7] = x7;
+    return all;
+}
+
+/* Return terms of equal sum, of which the last has the leading part [Ogita, Rump & Oishi 2005, Algorithm 4.3]. */
+static inline phd_eight_fours phd_free_swept(phd_eight_fours terms)
+{
+    phd_four second = terms.at[1];
+    phd_four third = terms.at[2];
+    phd_four fourth = terms.at[3];
+    phd_four fifth = terms.at[4];
+    phd_four sixth = terms.at[5];
+    phd_four seventh = terms.at[6];
+    phd_four eighth = terms.at[7];
+    const phd_four first = terms.at[0];
+    double b = first.at[1];
+    double c = first.at[2];
+    double d = first.at[3];
+    const double a = first.at[0];
+    const phd_pair of_two_sum = phd_two_sum(a, b);
+    double running = of_two_sum.hi;
+    b = of_two_sum.lo;
+    const phd_pair of_two_sum_2 = phd_two_sum(running, c);
+    running = of_two_sum_2.hi;
+    c = of_two_sum_2.lo;
+    const phd_pair of_two_sum_3 = phd_two_sum(running, d);
+    running = of_two_sum_3.hi;
+    d = of_two_sum_3.lo;
+    const phd_number_four of_swept_four = phd_free_swept_four(running, second);
+    running = of_swept_four.first;
+    second = of_swept_four.second;
+    const phd_number_four of_swept_four_2 = phd_free_swept_four(running, third);
+    running = of_swept_four_2.first;
+    third = of_swept_four_2.second;
+    const phd_number_four of_swept_four_3 = phd_free_swept_four(running, fourth);
+    running = of_swept_four_3.first;
+    fourth = of_swept_four_3.second;
+    const phd_number_four of_swept_four_4 = phd_free_swept_four(running, fifth);
+    running = of_swept_four_4.first;
+    fifth = of_swept_four_4.second;
+    const phd_number_four of_swept_four_5 = phd_free_swept_four(running, sixth);
+    running = of_swept_four_5.first;
+    sixth = of_swept_four_5.second;
+    const phd_number_four of_swept_four_6 = phd_free_swept_four(running, seventh);
+    running = of_swept_four_6.first;
+    seventh = of_swept_four_6.second;
+    const phd_number_four of_swept_four_7 = phd_free_swept_four(running, eighth);
+    running = of_swept_four_7.first;
+    eighth = of_swept_four_7.second;
+    return phd_make_eight_fours(phd_make_four(b, c, d, second.at[0]),
+        phd_make_four(second.at[1], second.at[2], second.at[3], third.at[0]),
+        phd_make_four(third.at[1], third.at[2], third.at[3], fourth.at[0]),
+        phd_make_four(fourth.at[1], fourth.at[2], fourth.at[3], fifth.at[0]),
+        phd_make_four(fifth.at[1], fifth.at[2], fifth.at[3], sixth.at[0]),
+        phd_make_four(sixth.at[1], sixth.at[2], sixth.at[3], seventh.at[0]),
+        phd_make_four(seventh.at[1], seventh.at[2], seventh.at[3], eighth.at[0]),
+        phd_make_four(eighth.at[1], eighth.at[2], eighth.at[3], running));
+}
+
+static inline double phd_free_more(double rest, phd_four terms)
+{
+    return rest + terms.at[0] + terms.at[1] + terms.at[2] + terms.at[3];
+}
+
+/* Return S = (I2 − I1) I3 x² − (I3 − I2) I1 z², correct to its last digit however close to the separatrix.
+
+   Source: Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, Algorithm 4.8 (SumK). */
+static inline phd_pair phd_free_exact_distance(phd_three moments, double x, double z)
+{
+    const double i1 = moments.at[0], i2 = moments.at[1], i3 = moments.at[2];
+    const phd_four_fours of_expanded = phd_free_expanded(phd_two_sum(i2, -i1), i3, x);
+    const phd_four a = of_expanded.at[0], b = of_expanded.at[1], c = of_expanded.at[2], d = of_expanded.at[3];
+    const phd_four_fours of_expanded_2 = phd_free_expanded(phd_two_sum(i3, -i2), -i1, z);
+    const phd_four e = of_expanded_2.at[0], f = of_expanded_2.at[1], g = of_expanded_2.at[2], h = of_expanded_2.at[3];
+    phd_eight_fours running = phd_make_eight_fours(a, b, c, d, e, f, g, h);
+    for (int k = 0; k < PHD_FREE_SWEEPS; k++) {
+        running = phd_free_swept(running);
     }
-    c = phd_close(a, g, pp);
-    last = 0.5 * q.hi * c.e;
-    *total = phd_add(sum, phd_make(last + last * (0.25 * (c.e * c.e - 0.5 * c.x * c.x)), 0.0));
-    return phd_scale(phd_add(c.middle, phd_make(-0.25 * c.middle.hi * c.x * c.x, 0.0)), up);
+    const phd_four first = running.at[0], second = running.at[1], third = running.at[2], fourth = running.at[3],
+        fifth = running.at[4], sixth = running.at[5], seventh = running.at[6], eighth = running.at[7];
+    double rest = first.at[0] + first.at[1] + first.at[2] + first.at[3];
+    rest = phd_free_more(phd_free_more(phd_free_more(phd_free_more(phd_free_more(phd_free_more(rest, second), third),
+                    fourth), fifth), sixth), seventh);
+    rest = rest + eighth.at[0] + eighth.at[1] + eighth.at[2];
+    return phd_two_sum(eighth.at[3], rest);
 }
 
-/* nome over parameter, with k = sqrt(1 - parameter), for parameters up to 1/2. Whittaker & Watson, 21.8. */
-static inline double phd_nome_over(double parameter, double k)
+typedef struct {
+    phd_three_two_numbers first;
+    phd_pair second;
+} phd_three_two_numbers_pair;
+
+static inline phd_three_two_numbers_pair phd_make_three_two_numbers_pair(phd_three_two_numbers first, phd_pair second)
 {
-    const double root = 1.0 + sqrt(k), ratio = 0.5 / ((1.0 + k) * root * root), e = ratio * parameter;
-    const double e4 = (e * e) * (e * e);
-    return ratio * (1.0 + e4 * (2.0 + e4 * (15.0 + e4 * (150.0 + e4 * 1707.0))));
+    phd_three_two_numbers_pair all;
+    all.first = first; all.second = second;
+    return all;
 }
 
-static inline double phd_power(double x, int n) { double y = 1.0; while (n-- > 0) y *= x; return y; }
-static inline double phd_theta3_excess(double q) { return 2.0 * (q + phd_power(q, 4) + phd_power(q, 9)); }
-
-/* Returns the Hamilton product p q in place of r. */
-static inline void phd_quaternion_product(const double p[4], const double q[4], double r[4])
+static inline phd_pair phd_free_exact(phd_three_two_numbers_pair values)
 {
-    r[0] = ((p[0] * q[0] - p[1] * q[1]) - p[2] * q[2]) - p[3] * q[3];
-    r[1] = ((p[0] * q[1] + p[1] * q[0]) + p[2] * q[3]) - p[3] * q[2];
-    r[2] = ((p[0] * q[2] - p[1] * q[3]) + p[2] * q[0]) + p[3] * q[1];
-    r[3] = ((p[0] * q[3] + p[1] * q[2]) - p[2] * q[1]) + p[3] * q[0];
+    const phd_three moments = values.first.first;
+    const double x = values.first.second, z = values.first.third;
+    return phd_free_exact_distance(moments, x, z);
 }
 
-/* ---------------------------------------------------------------- the free body
-   Comments on the method stand in free_reduction.js, free_rates.js and free_series.js, which this follows. */
+static inline phd_pair phd_free_plain(phd_three_two_numbers_pair values)
+{
+    return values.second;
+}
+
+/* Return A L1² − B L3², with both components scaled up. */
+static inline phd_pair phd_free_signed_distance(const phd_free_scaled_record *body, const phd_free_sums_record *sums)
+{
+    const phd_three_two_numbers terms = phd_free_terms_of_distance(body);
+    const phd_pair_flag of_plain_distance = phd_free_plain_distance(sums->A, sums->B, terms.second, terms.third);
+    const phd_pair plain = of_plain_distance.first;
+    const int near = of_plain_distance.second;
+    return near
+        ? phd_free_exact(phd_make_three_two_numbers_pair(terms, plain))
+        : phd_free_plain(phd_make_three_two_numbers_pair(terms, plain));
+}
+
+/* Return √(C x² + B y²), of which the sum is given but may have lost digits, or all, to underflow. */
+static inline double phd_free_root_of_sum(double value, double c, double x, double b, double y)
+{
+    const double exponent = phd_binary_exponent(phd_larger(fabs(x), fabs(y)));
+    x = phd_times_power(x, -exponent);
+    y = phd_times_power(y, -exponent);
+    return value > PHD_FREE_SHARP ? sqrt(value) : phd_times_power(sqrt(c * x * x + b * y * y), exponent);
+}
+
+/* Apply mirror and half turn; the distance is that of signed_distance. */
+static inline phd_free_reduction_record phd_free_reduced(const phd_free_scaled_record *body,
+    const phd_free_sums_record *sums, phd_pair distance)
+{
+    const int long_axis = distance.hi > 0.0;
+    const phd_pair a = long_axis ? sums->B : sums->A;
+    const phd_pair b = long_axis ? sums->A : sums->B;
+    const phd_pair p = long_axis ? sums->Q : sums->P;
+    const phd_pair q = long_axis ? sums->P : sums->Q;
+    double x = body->momentum.at[0];
+    double z = body->momentum.at[2];
+    const double y = body->momentum.at[1];
+    const phd_pair of_x_z = phd_make_pair(long_axis ? z : x, long_axis ? x : z);
+    x = of_x_z.hi;
+    z = of_x_z.lo;
+    const double half_turn = z < 0.0 ? -1.0 : 1.0;
+    const double i1 = body->moments.at[0], i2 = body->moments.at[1], i3 = body->moments.at[2];
+    const double side = long_axis ? 1.0 : -1.0;
+    const double near = phd_times_power(1.0, phd_free_exponent_near_saddle(body));
+    const phd_pair minus_s = phd_scale(distance, side);
+    const double first = body->order.at[0], second = body->order.at[1], third = body->order.at[2];
+    return phd_make_free_reduction_record(body->moments, body->momentum,
+        phd_make_three(x * half_turn, y, z * half_turn), a, b, sums->C, p, q,
+        phd_scale(phd_scale(minus_s, -near), near), phd_scale(phd_root_or_zero(minus_s), near),
+        phd_free_root_of_sum(p.hi, sums->C.hi, x, b.hi, y), phd_multiply_float(phd_two_product(i1, i2), i3), sums->G2,
+        long_axis, phd_make_three(long_axis ? third : first, second, long_axis ? first : third), body->parity,
+        half_turn, body->momentum_scale, body->rate_scale);
+}
+
+/* Return the canonical form of a body, in any order and at any scale. */
+static inline phd_free_reduction_record phd_free_reduction(phd_three moments, phd_three momentum)
+{
+    const phd_free_scaled_record body = phd_free_scaled(moments, momentum);
+    const phd_free_sums_record sums = phd_free_sums_of(&body);
+    return phd_free_reduced(&body, &sums, phd_free_signed_distance(&body, &sums));
+}
+
+/* Rates times V in canonical scaled units, and the regime of the body. */
+typedef struct {
+    phd_pair modulus_rate; /* λ = √(BQ): u = u0 + λ t */
+    phd_pair mean; /* agm(√(BQ), √(−CS)) = π λ / 2K; meaningless on the separatrix */
+    phd_pair precession; /* ω_p */
+    phd_pair G; /* |L| */
+    int constant; /* permanent rotation, sphere or rest: L stays */
+    int separatrix;
+} phd_free_frequencies_record;
+
+static inline phd_free_frequencies_record phd_make_free_frequencies_record(phd_pair modulus_rate, phd_pair mean,
+    phd_pair precession, phd_pair G, int constant, int separatrix)
+{
+    phd_free_frequencies_record all;
+    all.modulus_rate = modulus_rate; all.mean = mean; all.precession = precession; all.G = G; all.constant = constant;
+    all.separatrix = separatrix;
+    return all;
+}
+
+/* What of the frequencies is there before the mean. */
+typedef struct {
+    phd_pair modulus_rate;
+    int constant;
+    int separatrix;
+} phd_free_start_record;
+
+static inline phd_free_start_record phd_make_free_start_record(phd_pair modulus_rate, int constant, int separatrix)
+{
+    phd_free_start_record all;
+    all.modulus_rate = modulus_rate; all.constant = constant; all.separatrix = separatrix;
+    return all;
+}
+
+typedef struct {
+    phd_free_start_record first;
+    phd_pair second;
+    phd_pair third;
+    phd_pair fourth;
+} phd_free_start_record_three_pairs;
+
+static inline phd_free_start_record_three_pairs
+phd_make_free_start_record_three_pairs(const phd_free_start_record *first, phd_pair second, phd_pair third,
+    phd_pair fourth)
+{
+    phd_free_start_record_three_pairs all;
+    all.first = *first; all.second = second; all.third = third; all.fourth = fourth;
+    return all;
+}
+
+/* Return the start and √(BQ), √(−CS) and p² for the mean, or ones where there is no period.
+
+   p² is so chosen that the third-kind sum stays quadratic. */
+static inline phd_free_start_record_three_pairs phd_free_start_of(const phd_free_reduction_record *body)
+{
+    const phd_pair rate = phd_root_or_zero(phd_multiply(body->B, body->Q));
+    const phd_pair slow = phd_multiply(phd_root_or_zero(body->C), body->root_S);
+    const int third = body->B.hi >= body->A.hi;
+    phd_pair pp = phd_multiply(third ? body->Q : body->B, body->C);
+    pp = third ? pp : phd_multiply(pp, body->G2);
+    const double x = body->canonical.at[0], z = body->canonical.at[2];
+    const int is_constant = !(rate.hi > 0.0) || !(body->root_P > 0.0) || (x == 0.0 && z == 0.0);
+    const int separatrix = !(body->C.hi > 0.0 && body->root_S.hi > 0.0) && !is_constant;
+    const int idle = is_constant || separatrix;
+    const phd_pair one = phd_make_pair(1.0, 0.0);
+    const phd_free_start_record start = phd_make_free_start_record(rate, is_constant, separatrix);
+    return phd_make_free_start_record_three_pairs(&start, idle ? one : rate, idle ? one : slow, idle ? one : pp);
+}
+
+/* Return the frequencies, of mean and third-kind sum. */
+static inline phd_free_frequencies_record phd_free_frequencies_of(const phd_free_reduction_record *body,
+    const phd_free_start_record *start, phd_pair mean, phd_pair total)
+{
+    const phd_pair g = phd_root_or_zero(body->G2);
+    const int third = body->B.hi >= body->A.hi;
+    const double i1 = body->moments.at[0], i2 = body->moments.at[1], i3 = body->moments.at[2];
+    /* a1 V = I2 I3 and a3 V = I1 I2, and with the mirror −I1 I2 and −I2 I3 */
+    const double side = body->long_axis ? -1.0 : 1.0;
+    const phd_pair outer = phd_two_product(side * (body->long_axis == third ? i1 : i3), i2);
+    const phd_pair correction = phd_multiply(third ? body->A : body->P, total);
+    const phd_pair share = third ? phd_scale(correction, -0.5) : phd_scale(phd_divide(correction, body->G2), 0.5);
+    const phd_pair rate = phd_multiply(g, phd_add(outer, share));
+    phd_pair precession = third ? rate : phd_add(rate, mean);
+    /* on the separatrix the frame ends up turning at |L|/I2, here times V = I1 I2 I3 */
+    const phd_pair saddle = phd_multiply(g, phd_two_product(side * i1, i3));
+    precession = start->separatrix ? saddle : precession;
+    return phd_make_free_frequencies_record(start->modulus_rate, mean, precession, g, start->constant,
+        start->separatrix);
+}
+
+/* Return the frequencies of a reduced body. */
+static inline phd_free_frequencies_record phd_free_frequencies(const phd_free_reduction_record *body)
+{
+    const phd_free_start_record_three_pairs of_start_of = phd_free_start_of(body);
+    const phd_free_start_record start = of_start_of.first;
+    const phd_pair fast = of_start_of.second, slow = of_start_of.third, pp = of_start_of.fourth;
+    const phd_two_pairs of_third_kind_mean = phd_third_kind_mean(fast, slow, pp);
+    const phd_pair mean = of_third_kind_mean.at[0], total = of_third_kind_mean.at[1];
+    return phd_free_frequencies_of(body, &start, mean, total);
+}
+
+typedef struct { phd_three at[2]; } phd_two_threes;
+
+static inline phd_two_threes phd_make_two_threes(phd_three x0, phd_three x1)
+{
+    phd_two_threes all;
+    all.at[0] = x0; all.at[1] = x1;
+    return all;
+}
+
+/* Return Motion.first and Motion.second [turns per time], in halves, of a body with two frequencies. */
+static inline phd_two_threes phd_free_phase_rates(int full, const phd_free_reduction_record *body,
+    const phd_free_frequencies_record *rates)
+{
+    /* rates times V become turns: over 2πV */
+    const phd_pair inverse = phd_scale(phd_divide(PHD_INVERSE_TWO_PI, body->V), body->rate_scale);
+    const phd_pair half = phd_scale(phd_multiply(rates->precession, inverse), 0.5);
+    const phd_pair turn = phd_scale(phd_multiply(rates->mean, inverse), 2.0);
+    const phd_pair quarter = phd_scale(turn, 0.25);
+    const phd_pair saddle = phd_scale(phd_divide(rates->modulus_rate, body->V), body->rate_scale);
+    const phd_pair first = full ? phd_subtract(half, quarter) : half;
+    const phd_pair second = rates->separatrix ? saddle : full ? phd_add(half, quarter) : turn;
+    const phd_pair of_halves = phd_halves(first.hi);
+    const double first_high = of_halves.hi, first_low = of_halves.lo;
+    const phd_pair of_halves_2 = phd_halves(second.hi);
+    const double second_high = of_halves_2.hi, second_low = of_halves_2.lo;
+    return phd_make_two_threes(phd_make_three(first_high, first_low, first.lo),
+        phd_make_three(second_high, second_low, second.lo));
+}
+
+typedef struct { double at[10]; } phd_ten;
+
+static inline phd_ten phd_make_ten(double x0, double x1, double x2, double x3, double x4, double x5, double x6,
+    double x7, double x8, double x9)
+{
+    phd_ten all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3; all.at[4] = x4; all.at[5] = x5; all.at[6] = x6;
+    all.at[7] = x7; all.at[8] = x8; all.at[9] = x9;
+    return all;
+}
+
+typedef struct { double at[5]; } phd_five;
+
+static inline phd_five phd_make_five(double x0, double x1, double x2, double x3, double x4)
+{
+    phd_five all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3; all.at[4] = x4;
+    return all;
+}
+
+typedef struct { double at[16]; } phd_sixteen;
+
+static inline phd_sixteen phd_make_sixteen(double x0, double x1, double x2, double x3, double x4, double x5, double x6,
+    double x7, double x8, double x9, double x10, double x11, double x12, double x13, double x14, double x15)
+{
+    phd_sixteen all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3; all.at[4] = x4; all.at[5] = x5; all.at[6] = x6;
+    all.at[7] = x7; all.at[8] = x8; all.at[9] = x9; all.at[10] = x10; all.at[11] = x11; all.at[12] = x12;
+    all.at[13] = x13; all.at[14] = x14; all.at[15] = x15;
+    return all;
+}
+
+typedef struct { double at[9]; } phd_nine;
+
+static inline phd_nine phd_make_nine(double x0, double x1, double x2, double x3, double x4, double x5, double x6,
+    double x7, double x8)
+{
+    phd_nine all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3; all.at[4] = x4; all.at[5] = x5; all.at[6] = x6;
+    all.at[7] = x7; all.at[8] = x8;
+    return all;
+}
+
+/* All that evaluation needs of a body: numbers, or arrays with one for each of many. */
+typedef struct {
+    double full; /* whether it takes the full form */
+    phd_three first; /* full: rate of the phase of A; complementary: half the precession rate [turns per time] */
+    phd_three second; /* full: rate of the phase of B; complementary: rate of u/2K */
+    phd_pair start; /* full: (z0/4π, 0); complementary: u0/2K, double-double */
+    phd_ten series; /* full: five coefficients of A and of B; complementary: cos and sin of (2n+1)(y/2 − π/4) */
+    phd_five nome; /* complementary: √q1, πK/K' in halves, y/2π, 0 on the separatrix */
+    double parity; /* complementary: half turns of u at the start */
+    phd_sixteen to_attitude; /* by rows: quaternion = matrix (4, 4) · spinor / norm */
+    phd_nine to_momentum; /* by rows: momentum = matrix (3, 3) · (n1, n2, n3) */
+} phd_free_motion_record;
+
+static inline phd_free_motion_record phd_make_free_motion_record(double full, phd_three first, phd_three second,
+    phd_pair start, phd_ten series, phd_five nome, double parity, phd_sixteen to_attitude, phd_nine to_momentum)
+{
+    phd_free_motion_record all;
+    all.full = full; all.first = first; all.second = second; all.start = start; all.series = series; all.nome = nome;
+    all.parity = parity; all.to_attitude = to_attitude; all.to_momentum = to_momentum;
+    return all;
+}
+
+/* Sum A and B as polynomials in X = cos 2z and Y = sin 2z, where z is the difference of their phases. */
+static inline phd_four phd_free_full_sums(const phd_free_motion_record *m, phd_three time)
+{
+    const double start = m->start.hi;
+    const double a0 = m->series.at[0], a1 = m->series.at[1], a2 = m->series.at[2], a3 = m->series.at[3],
+        a4 = m->series.at[4], b0 = m->series.at[5], b1 = m->series.at[6], b2 = m->series.at[7], b3 = m->series.at[8],
+        b4 = m->series.at[9];
+    const phd_three of_phase = phd_phase(m->first, time);
+    const double fa = of_phase.at[0], ra = of_phase.at[1];
+    const phd_three of_phase_2 = phd_phase(m->second, time);
+    const double fb = of_phase_2.at[0], rb = of_phase_2.at[1];
+    const double ta = fa + (ra - start);
+    const double tb = fb + (rb + start);
+    const phd_pair of_sine_cosine = phd_sine_cosine(ta - phd_whole(ta));
+    const double sa = of_sine_cosine.hi, ca = of_sine_cosine.lo;
+    const phd_pair of_sine_cosine_2 = phd_sine_cosine(tb - phd_whole(tb));
+    const double sb = of_sine_cosine_2.hi, cb = of_sine_cosine_2.lo;
+    const double cz = ca * cb + sa * sb;
+    const double sz = sb * ca - cb * sa;
+    /* cos 2z = 1 − 2 sin² z, sin 2z = 2 sin z cos z */
+    const double s2 = sz + sz;
+    const double X = 1.0 - s2 * sz;
+    const double Y = s2 * cz;
+    const double pa = a0 + X * (a1 + X * a2);
+    const double qa = Y * (a3 + X * a4);
+    const double pb = b0 + X * (b1 + X * b2);
+    const double qb = Y * (b3 + X * b4);
+    return phd_make_four(ca * pa - sa * qa, ca * qa + sa * pa, cb * pb - sb * qb, cb * qb + sb * pb);
+}
+
+typedef struct { double at[7]; } phd_seven;
+
+static inline phd_seven phd_make_seven(double x0, double x1, double x2, double x3, double x4, double x5, double x6)
+{
+    phd_seven all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3; all.at[4] = x4; all.at[5] = x5; all.at[6] = x6;
+    return all;
+}
+
+/* Return turns, side, count of half turns, and exponent and factor of E and of R, which sums A and B. */
+static inline phd_seven phd_free_complementary_phase(const phd_free_motion_record *m, phd_three time)
+{
+    const double upper = m->nome.at[1], lower = m->nome.at[2], y_turns = m->nome.at[3], periodic = m->nome.at[4];
+    const phd_three of_phase = phd_phase(m->first, time);
+    const double fraction = of_phase.at[0], rest = of_phase.at[1];
+    const phd_three of_reduced_argument = phd_reduced_argument(m->second, m->start, periodic, time);
+    double count = of_reduced_argument.at[2];
+    const double u = of_reduced_argument.at[0], u_rest = of_reduced_argument.at[1];
+    count = m->parity + count;
+    count = count - 4.0 * phd_whole(0.25 * count);
+    double turns = fraction - 0.25 * count;
+    turns = turns - phd_whole(turns) + (rest - u * y_turns);
+    const double side = u < 0.0 ? -1.0 : 1.0;
+    const double f = u * side;
+    const double g = u_rest * side;
+    const phd_pair of_exponent = phd_exponent(f, g, upper, lower);
+    const double e = of_exponent.hi, e_factor = of_exponent.lo;
+    const double distance = phd_larger(0.5 - f, 0.0);
+    const phd_pair of_exponent_2 = phd_exponent(distance, (0.5 - distance - f) * periodic - g, upper, lower);
+    const double r = of_exponent_2.hi, r_factor = of_exponent_2.lo;
+    return phd_make_seven(turns, side, count, e, e_factor, r, periodic * r_factor);
+}
+
+/* Sum A and B in the growing powers of R = √q1/E and the decaying ones of E = e^−|x|, x = πu/2K'. */
+static inline phd_four phd_free_complementary_sums(const phd_free_motion_record *m, double turns, double side,
+    double count, double e0, double R)
+{
+    const double c0 = m->series.at[0], c1 = m->series.at[1], c2 = m->series.at[2], c3 = m->series.at[3],
+        c4 = m->series.at[4], s0 = m->series.at[5], s1 = m->series.at[6], s2 = m->series.at[7], s3 = m->series.at[8],
+        s4 = m->series.at[9];
+    const double root = m->nome.at[0];
+    const phd_pair of_sine_cosine = phd_sine_cosine(turns - phd_whole(turns));
+    const double s = of_sine_cosine.hi, c = of_sine_cosine.lo;
+    const double q = root * root;
+    const double q2 = q * q;
+    const double g1 = root * R;
+    const double g2 = g1 * g1 * q;
+    const double g3 = g2 * g1 * q2;
+    const double g4 = g3 * g1 * q2 * q;
+    const double e1 = q * e0 * e0;
+    const double e2 = q2 * e1 * e0;
+    const double e3 = q2 * q * e2 * e0;
+    const double e4 = q2 * q2 * e3 * e0;
+    double ar = c4 * (g4 + e4);
+    double ai = s4 * (g4 - e4);
+    double br = -s4 * (g4 + e4);
+    double bi = c4 * (g4 - e4);
+    ar = ar + c3 * (g3 + e3);
+    ai = ai + s3 * (g3 - e3);
+    br = br + s3 * (g3 + e3);
+    bi = bi - c3 * (g3 - e3);
+    ar = ar + c2 * (g2 + e2);
+    ai = ai + s2 * (g2 - e2);
+    br = br - s2 * (g2 + e2);
+    bi = bi + c2 * (g2 - e2);
+    ar = ar + c1 * (g1 + e1);
+    ai = ai + s1 * (g1 - e1);
+    br = br + s1 * (g1 + e1);
+    bi = bi - c1 * (g1 - e1);
+    ar = ar + c0 * (1.0 + e0);
+    ai = ai + s0 * (1.0 - e0);
+    br = br - s0 * (1.0 + e0);
+    bi = bi + c0 * (1.0 - e0);
+    ai = ai * side;
+    bi = bi * side;
+    const double odd = 1.0 - 2.0 * (count - 2.0 * floor(0.5 * count));
+    return phd_make_four(c * ar - s * ai, c * ai + s * ar, odd * (c * br - s * bi), odd * (c * bi + s * br));
+}
+
+/* Return attitude and momentum. */
+static inline phd_seven phd_free_state_of(const phd_free_motion_record *m, phd_four spinor)
+{
+    const double a0 = spinor.at[0], a1 = spinor.at[1], b0 = spinor.at[2], b1 = spinor.at[3];
+    const double aa = a0 * a0 + a1 * a1;
+    const double bb = b0 * b0 + b1 * b1;
+    const double x = 1.0 / (aa + bb);
+    const double root = sqrt(x);
+    const double x2 = x + x;
+    /* the direction of L of a spinor (A, B): 2 Re ĀB, 2 Im ĀB and |A|² − |B|², over |A|² + |B|² */
+    const double n0 = (a0 * b0 + a1 * b1) * x2;
+    const double n1 = (a0 * b1 - a1 * b0) * x2;
+    const double n2 = (aa - bb) * x;
+    const double a = a0 * root;
+    const double b = a1 * root;
+    const double c = b0 * root;
+    const double d = b1 * root;
+    const phd_sixteen q = m->to_attitude;
+    const phd_nine p = m->to_momentum;
+    return phd_make_seven(q.at[0] * a + q.at[1] * b + q.at[2] * c + q.at[3] * d,
+        q.at[4] * a + q.at[5] * b + q.at[6] * c + q.at[7] * d, q.at[8] * a + q.at[9] * b + q.at[10] * c + q.at[11] * d,
+        q.at[12] * a + q.at[13] * b + q.at[14] * c + q.at[15] * d, p.at[0] * n0 + p.at[1] * n1 + p.at[2] * n2,
+        p.at[3] * n0 + p.at[4] * n1 + p.at[5] * n2, p.at[6] * n0 + p.at[7] * n1 + p.at[8] * n2);
+}
+
+/* Return attitude and momentum of a motion at a time, given in two parts. */
+static inline phd_seven phd_free_state_at(const phd_free_motion_record *m, double time, double rest)
+{
+    const phd_pair of_halves = phd_halves(time);
+    const double high = of_halves.hi, low = of_halves.lo;
+    if (m->full != 0.0) {
+        return phd_free_state_of(m, phd_free_full_sums(m, phd_make_three(high, low, rest)));
+    }
+    const phd_seven of_complementary_phase = phd_free_complementary_phase(m, phd_make_three(high, low, rest));
+    const double a = of_complementary_phase.at[0], b = of_complementary_phase.at[1], c = of_complementary_phase.at[2],
+        exponent = of_complementary_phase.at[3], factor = of_complementary_phase.at[4],
+        other = of_complementary_phase.at[5], other_factor = of_complementary_phase.at[6];
+    const double e0 = exp(exponent) * factor;
+    const double R = exp(other) * other_factor;
+    return phd_free_state_of(m, phd_free_complementary_sums(m, a, b, c, e0, R));
+}
+
+/* below it the leading term of the cap's area is as exact as the difference it replaces */
+static const double PHD_FREE_SMALL_CAP = 1e-14;
+/* What a free body's motion is like; what is infinite is inf, what is undefined NaN, and −1 of the axis. */
+typedef struct {
+    double regime; /* 0 rest, 1 spherical, 2 permanent, 3 symmetric, 4 short axis, 5 long axis, 6 separatrix */
+    double encircled_axis; /* index of the given axis that the polhode goes round */
+    double modulus;
+    double period; /* after which the momentum is back along the body's axes */
+    double precession_rate; /* mean rate at which the encircled axis turns about the momentum */
+    double precession_per_period;
+    double solid_angle; /* of the cap that the polhode cuts off about the encircled axis */
+} phd_free_numbers_record;
+
+static inline phd_free_numbers_record phd_make_free_numbers_record(double regime, double encircled_axis, double modulus,
+    double period, double precession_rate, double precession_per_period, double solid_angle)
+{
+    phd_free_numbers_record all;
+    all.regime = regime; all.encircled_axis = encircled_axis; all.modulus = modulus; all.period = period;
+    all.precession_rate = precession_rate; all.precession_per_period = precession_per_period;
+    all.solid_angle = solid_angle;
+    return all;
+}
+
+static inline double phd_free_regime(const phd_free_reduction_record *body, const phd_free_frequencies_record *rates)
+{
+    const double i1 = body->moments.at[0], i2 = body->moments.at[1], i3 = body->moments.at[2];
+    const double x = body->momentum.at[0], y = body->momentum.at[1], z = body->momentum.at[2];
+    double code = body->long_axis ? 5.0 : 4.0;
+    code = i1 == i2 || i2 == i3 ? 3.0 : code;
+    code = rates->separatrix ? 6.0 : code;
+    code = rates->constant ? 2.0 : code;
+    code = i1 == i3 ? 1.0 : code;
+    return x == 0.0 && y == 0.0 && z == 0.0 ? 0.0 : code;
+}
+
+/* Return Ω = 2π − (ω_p − 2E/|L|) T, in double-double, as small caps cancel. */
+static inline double phd_free_solid_angle(const phd_free_reduction_record *body,
+    const phd_free_frequencies_record *rates, phd_pair per_period, phd_pair scaled_period, phd_pair two_pi)
+{
+    const double i1 = body->moments.at[0], i2 = body->moments.at[1], i3 = body->moments.at[2];
+    const double b = body->B.hi;
+    const double c = body->C.hi;
+    const double p = body->P.hi;
+    const double q = body->Q.hi;
+    const double g2 = body->G2.hi;
+    const phd_pair twice_energy = phd_add(body->P,
+        phd_multiply(phd_two_product(body->long_axis ? -i3 : i1, i2), body->G2));
+    const phd_pair dynamic = phd_multiply(phd_divide(twice_energy, rates->G), scaled_period);
+    const phd_pair angle = phd_subtract(two_pi, phd_subtract(per_period, dynamic));
+    /* a small cap is the ellipse C L1² + B L2² = P, of area πP/√(BC), over |L|² */
+    const double cap = 3.141592653589793 * p / (sqrt(b * c) * g2);
+    /* a symmetric body's period has no bound near its equator, and the difference no digit left */
+    const double round_cap = 2.0 * 3.141592653589793 * (p / (c * g2)) / (1.0 + sqrt(q / (c * g2)));
+    return body->A.hi == 0.0 ? round_cap : p / (b * g2) < PHD_FREE_SMALL_CAP ? cap : angle.hi;
+}
+
+static inline double phd_free_by_kind(const phd_free_frequencies_record *rates, double permanent, double separatrix,
+    double periodic)
+{
+    return rates->constant ? permanent : rates->separatrix ? separatrix : periodic;
+}
+
+/* Return the numbers of a body. */
+static inline phd_free_numbers_record phd_free_numbers(const phd_free_reduction_record *body,
+    const phd_free_frequencies_record *rates)
+{
+    const phd_pair two_pi = phd_scale(PHD_PI, 2.0);
+    /* T/V */
+    const phd_pair scaled_period = phd_divide(two_pi, rates->mean);
+    /* ω_p T */
+    const phd_pair per_period = phd_multiply(rates->precession, scaled_period);
+    const phd_pair period = phd_divide(phd_multiply(scaled_period, body->V),
+        phd_make_pair(body->rate_scale, 0.0 * body->rate_scale));
+    const phd_pair rate = phd_scale(phd_divide(rates->precession, body->V), body->rate_scale);
+    const double sense = body->long_axis ? -1.0 : 1.0;
+    /* k² = AP/(BQ) */
+    const double modulus = sqrt(body->A.hi / body->B.hi) * (body->root_P / sqrt(body->Q.hi));
+    const double solid_angle = phd_free_solid_angle(body, rates, per_period, scaled_period, two_pi);
+    return phd_make_free_numbers_record(phd_free_regime(body, rates),
+        phd_free_by_kind(rates, -1.0, -1.0, body->order.at[2]), phd_free_by_kind(rates, NAN, 1.0, modulus),
+        phd_free_by_kind(rates, NAN, INFINITY, period.hi), rates->constant ? NAN : sense * rate.hi,
+        phd_free_by_kind(rates, NAN, INFINITY, sense * per_period.hi), phd_free_by_kind(rates, NAN, NAN, solid_angle));
+}
+
+/* a sine above the inverse of the first is scaled by the second */
+static const double PHD_FREE_HUGE_INVERSE = 3.8725919148493183e-121;
+static const double PHD_FREE_HUGE_SCALE = 6.223015277861142e-61;
+/* 200 ln 2 */
+static const phd_pair PHD_FREE_LOG_OF_SCALE = {138.62943611198907, -3.3555121496085278e-15};
+static const phd_nine PHD_FREE_NINE_ZEROS = {{0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}};
+static const phd_sixteen PHD_FREE_SIXTEEN_ZEROS = {{0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0}};
+/* What a form takes at the epoch. */
+typedef struct {
+    phd_pair start;
+    phd_ten series;
+    phd_five nome;
+    double parity;
+} phd_free_arguments_record;
+
+static inline phd_free_arguments_record phd_make_free_arguments_record(phd_pair start, phd_ten series, phd_five nome,
+    double parity)
+{
+    phd_free_arguments_record all;
+    all.start = start; all.series = series; all.nome = nome; all.parity = parity;
+    return all;
+}
+
+/* What the full form's start is the angle of, and its coefficients. */
+typedef struct {
+    double rise;
+    double run;
+    phd_ten series;
+} phd_free_full_amplitude_record;
+
+static inline phd_free_full_amplitude_record phd_make_free_full_amplitude_record(double rise, double run,
+    phd_ten series)
+{
+    phd_free_full_amplitude_record all;
+    all.rise = rise; all.run = run; all.series = series;
+    return all;
+}
+
+/* What the complementary form's start is made from. */
+typedef struct {
+    double nome;
+    double tangent; /* of y, the circular amplitude */
+    double sinh_; /* of x, the hyperbolic one, times HUGE_SCALE if it is huge */
+    int huge;
+} phd_free_amplitude_record;
+
+static inline phd_free_amplitude_record phd_make_free_amplitude_record(double nome, double tangent, double sinh_,
+    int huge)
+{
+    phd_free_amplitude_record all;
+    all.nome = nome; all.tangent = tangent; all.sinh_ = sinh_; all.huge = huge;
+    return all;
+}
+
+/* The amplitudes, and the hyperbolic sine of x as it is rounded. */
+typedef struct {
+    double x;
+    double sinh_;
+    double y;
+} phd_free_angles_record;
+
+static inline phd_free_angles_record phd_make_free_angles_record(double x, double sinh_, double y)
+{
+    phd_free_angles_record all;
+    all.x = x; all.sinh_ = sinh_; all.y = y;
+    return all;
+}
+
+/* A body as given, with its reduction and frequencies. */
+typedef struct {
+    phd_three moments;
+    phd_three momentum;
+    phd_four attitude;
+    phd_free_reduction_record body;
+    phd_free_frequencies_record rates;
+} phd_free_given_record;
+
+static inline phd_free_given_record phd_make_free_given_record(phd_three moments, phd_three momentum, phd_four attitude,
+    const phd_free_reduction_record *body, const phd_free_frequencies_record *rates)
+{
+    phd_free_given_record all;
+    all.moments = moments; all.momentum = momentum; all.attitude = attitude; all.body = *body; all.rates = *rates;
+    return all;
+}
+
+typedef struct { double at[6]; } phd_six;
+
+static inline phd_six phd_make_six(double x0, double x1, double x2, double x3, double x4, double x5)
+{
+    phd_six all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3; all.at[4] = x4; all.at[5] = x5;
+    return all;
+}
+
+/* Return x, y, dn, factor, sinh and dc after a step. */
+static inline phd_six phd_free_landen_step(double x, double y, double dn, double factor, double sinh_, double cosine,
+    double dc)
+{
+    /* descending Landen (DLMF §22.7(i)), κ = (1 − k′)/(1 + k′): (1 − dn)/(1 + dn) = κ sn² of the next step, whose
+       dn² = 1 − κ² sn², and tan am = (1 + κ) tan am/dn of the next step */
+    const double kappa = (x - y) / (x + y);
+    const double grown = 1.0 + kappa;
+    const double next_dn = sqrt(1.0 - kappa * (1.0 - dn) / (1.0 + dn));
+    sinh_ = 2.0 * sinh_ / (grown * (cosine + dc));
+    const double next_dc = sqrt(1.0 + kappa * (dc - cosine) / (dc + cosine));
+    return phd_make_six(0.5 * (x + y), sqrt(x * y), next_dn, factor * (next_dn / grown), sinh_, next_dc);
+}
+
+/* Follow a circular and a hyperbolic amplitude down five Landen steps from the complementary modulus k.
+
+   Returns the factor of the tangent of the circular amplitude and the hyperbolic sine of the other; its first step
+   takes sinh · c, c and dc · c so that none of them needs a quotient that may be 0/0. */
+static inline phd_pair phd_free_landen(double k, double dn, double sinh_times_cosine, double cosine, double dc)
+{
+    const phd_six of_landen_step = phd_free_landen_step(1.0, k, dn, 1.0, sinh_times_cosine, cosine, dc);
+    double x = of_landen_step.at[0];
+    double y = of_landen_step.at[1];
+    dn = of_landen_step.at[2];
+    double factor = of_landen_step.at[3];
+    double sinh_ = of_landen_step.at[4];
+    dc = of_landen_step.at[5];
+    const phd_six of_landen_step_2 = phd_free_landen_step(x, y, dn, factor, sinh_, 1.0, dc);
+    x = of_landen_step_2.at[0];
+    y = of_landen_step_2.at[1];
+    dn = of_landen_step_2.at[2];
+    factor = of_landen_step_2.at[3];
+    sinh_ = of_landen_step_2.at[4];
+    dc = of_landen_step_2.at[5];
+    const phd_six of_landen_step_3 = phd_free_landen_step(x, y, dn, factor, sinh_, 1.0, dc);
+    x = of_landen_step_3.at[0];
+    y = of_landen_step_3.at[1];
+    dn = of_landen_step_3.at[2];
+    factor = of_landen_step_3.at[3];
+    sinh_ = of_landen_step_3.at[4];
+    dc = of_landen_step_3.at[5];
+    const phd_six of_landen_step_4 = phd_free_landen_step(x, y, dn, factor, sinh_, 1.0, dc);
+    x = of_landen_step_4.at[0];
+    y = of_landen_step_4.at[1];
+    dn = of_landen_step_4.at[2];
+    factor = of_landen_step_4.at[3];
+    sinh_ = of_landen_step_4.at[4];
+    dc = of_landen_step_4.at[5];
+    const phd_six of_landen_step_5 = phd_free_landen_step(x, y, dn, factor, sinh_, 1.0, dc);
+    x = of_landen_step_5.at[0];
+    y = of_landen_step_5.at[1];
+    dn = of_landen_step_5.at[2];
+    factor = of_landen_step_5.at[3];
+    sinh_ = of_landen_step_5.at[4];
+    dc = of_landen_step_5.at[5];
+    return phd_make_pair(factor, sinh_);
+}
+
+/* Return what the start of the full form, m ≤ ½, is the angle of, and the coefficients of A and B. */
+static inline phd_free_full_amplitude_record phd_free_full_amplitude(const phd_free_reduction_record *body)
+{
+    const double a = body->A.hi;
+    const double b = body->B.hi;
+    const double c = body->C.hi;
+    const double q = body->Q.hi;
+    const double x = body->canonical.at[0], y = body->canonical.at[1], z = body->canonical.at[2];
+    const double total = b * q;
+    const double parameter = a * body->P.hi / total;
+    const double complement = -c * body->S.hi / total;
+    const double per_parameter = phd_nome_per_parameter(parameter, sqrt(complement));
+    const double nome = per_parameter * parameter;
+    /* √(P/Q) sinh, as the hyperbolic sine itself overflows near a stable axis */
+    const double small = body->root_P / sqrt(q);
+    const double of_b = sqrt(b);
+    const double of_c = sqrt(c);
+    const phd_pair of_landen = phd_free_landen(sqrt(complement), z * sqrt(c / q), of_b, of_b, of_c);
+    const double factor = of_landen.hi, scaled = of_landen.lo;
+    const double grown = scaled + sqrt(small * small + scaled * scaled);
+    const double g = small / grown;
+    const double r = a / b * per_parameter * grown * grown;
+    const double g2 = g * g;
+    const double q2 = nome * nome;
+    const double r2 = r * r;
+    const double q3 = q2 * nome;
+    const double q4 = q2 * q2;
+    const double q8 = q4 * q4;
+    const double gg = g2 * g2;
+    const double up = -nome * g2;
+    const double down = -q2 * r;
+    const double up2 = q4 * q2 * gg;
+    const double down2 = q8 * r2;
+    const double up3 = -q3 * g2;
+    const double up4 = q8 * q2 * gg;
+    const double down4 = q4 * r2;
+    return phd_make_free_full_amplitude_record(of_b * y * factor, of_c * x,
+        phd_make_ten(1.0 - (up2 + down2), up + down, 2.0 * (up2 + down2), up - down, 2.0 * (up2 - down2),
+            g * (1.0 - (up4 + down4)), g * (up3 - r), 2.0 * g * (up4 + down4), g * (up3 + r), 2.0 * g * (up4 - down4)));
+}
+
+/* Return z0/4π. */
+static inline double phd_free_full_start(double rise, double run)
+{
+    return atan2(rise, run) * (0.25 / 3.141592653589793);
+}
+
+/* Return what the full form takes. */
+static inline phd_free_arguments_record phd_free_full_arguments(double start, phd_ten series)
+{
+    return phd_make_free_arguments_record(phd_make_pair(start, 0.0), series, phd_make_five(0.0, 0.0, 0.0, 0.0, 0.0),
+        0.0);
+}
+
+static inline phd_free_arguments_record phd_free_full_arguments_inside(const phd_free_given_record *given)
+{
+    const phd_free_full_amplitude_record at = phd_free_full_amplitude(&given->body);
+    return phd_free_full_arguments(phd_free_full_start(at.rise, at.run), at.series);
+}
+
+/* Return what the start of the complementary form, m > ½, is made from. */
+static inline phd_free_amplitude_record phd_free_amplitude(const phd_free_reduction_record *body,
+    const phd_free_frequencies_record *rates)
+{
+    const double b = body->B.hi;
+    const double c = body->C.hi;
+    const double p = body->P.hi;
+    const double q = body->Q.hi;
+    const double x = body->canonical.at[0], y = body->canonical.at[1], z = body->canonical.at[2];
+    const double total = b * q;
+    const double k = rates->separatrix ? 1.0 : sqrt(body->A.hi * p / total);
+    const double parameter = rates->separatrix ? 0.0 : -c * body->S.hi / total;
+    const double of_c = sqrt(c);
+    /* dn, and sinh, cosine and dc of which all but the last are times one number: none needs a quotient that may be
+       0/0 */
+    const double dn = sqrt(p / b) / rates->G.hi;
+    const double along = fabs(sqrt(b) * y);
+    const double cosine = of_c * fabs(x);
+    const double dc = of_c * z * sqrt(p / q);
+    /* close to the unstable axis the hyperbolic sine and its square leave the range of numbers */
+    const int huge = cosine + dc < PHD_FREE_HUGE_INVERSE * along;
+    const phd_pair of_landen = phd_free_landen(k, dn, huge ? PHD_FREE_HUGE_SCALE * along : along, cosine, dc);
+    const double factor = of_landen.hi, sinh_ = of_landen.lo;
+    return phd_make_free_amplitude_record(parameter * phd_nome_per_parameter(parameter, k), sqrt(q / p) * factor, sinh_,
+        huge);
+}
+
+static inline phd_pair phd_free_of_huge(double sinh_)
+{
+    const double x = log(2.0 * sinh_);
+    return phd_make_pair(x, 0.5 * exp(x));
+}
+
+static inline phd_pair phd_free_of_ordinary(double sinh_)
+{
+    const double x = asinh(sinh_);
+    return phd_make_pair(x, sinh(x));
+}
+
+/* Return the amplitudes by elementary functions. */
+static inline phd_free_angles_record phd_free_angles(const phd_free_amplitude_record *at)
+{
+    const phd_pair of_x_sinh = at->huge ? phd_free_of_huge(at->sinh_) : phd_free_of_ordinary(at->sinh_);
+    const double x = of_x_sinh.hi, sinh_ = of_x_sinh.lo;
+    return phd_make_free_angles_record(x, sinh_, atan(at->tangent));
+}
+
+/* Return πK/K' = 2K/θ3², of √(BQ) and the mean. */
+static inline phd_pair phd_free_half_period(phd_pair fast, phd_pair mean, double nome)
+{
+    return phd_by_theta(phd_divide(phd_multiply(fast, PHD_PI), mean), nome);
+}
+
+/* Return cos and sin of (2n+1)(y/2 − π/4), n from 0 to 4, for 0 ≤ y ≤ π/2. */
+static inline phd_ten phd_free_harmonics(double y)
+{
+    const double angle = (0.5 * y - 0.25 * 3.141592653589793) * (0.5 / 3.141592653589793);
+    const phd_pair of_sine_cosine = phd_sine_cosine(angle);
+    const double s0 = of_sine_cosine.hi, c0 = of_sine_cosine.lo;
+    const phd_pair of_sine_cosine_2 = phd_sine_cosine(3.0 * angle);
+    const double s1 = of_sine_cosine_2.hi, c1 = of_sine_cosine_2.lo;
+    const phd_pair of_sine_cosine_3 = phd_sine_cosine(5.0 * angle - phd_whole(5.0 * angle));
+    const double s2 = of_sine_cosine_3.hi, c2 = of_sine_cosine_3.lo;
+    const phd_pair of_sine_cosine_4 = phd_sine_cosine(7.0 * angle - phd_whole(7.0 * angle));
+    const double s3 = of_sine_cosine_4.hi, c3 = of_sine_cosine_4.lo;
+    const phd_pair of_sine_cosine_5 = phd_sine_cosine(9.0 * angle - phd_whole(9.0 * angle));
+    const double s4 = of_sine_cosine_5.hi, c4 = of_sine_cosine_5.lo;
+    return phd_make_ten(c0, c1, c2, c3, c4, s0, s1, s2, s3, s4);
+}
+
+/* Return start, harmonics, nome and parity of the complementary form, separatrix included. */
+static inline phd_free_arguments_record phd_free_complementary_arguments(const phd_free_reduction_record *body,
+    const phd_free_frequencies_record *rates, const phd_free_amplitude_record *at, const phd_free_angles_record *angle)
+{
+    const double l1 = body->canonical.at[0], l2 = body->canonical.at[1];
+    const double slope = at->huge ? angle->sinh_ : sqrt(1.0 + angle->sinh_ * angle->sinh_);
+    phd_pair x = phd_fast_two_sum(angle->x, (at->sinh_ - angle->sinh_) / slope);
+    x = at->huge ? phd_add(x, PHD_FREE_LOG_OF_SCALE) : x;
+    x = phd_scale(x, (l2 < 0.0) == (l1 < 0.0) ? 1.0 : -1.0);
+    phd_pair period = phd_free_half_period(rates->modulus_rate, rates->mean, at->nome);
+    period = rates->separatrix ? phd_make_pair(1.0, 0.0) : period;
+    const phd_pair of_halves = phd_halves(period.hi);
+    const double upper = of_halves.hi, lower = of_halves.lo;
+    const double periodic = rates->separatrix ? 0.0 : 1.0;
+    return phd_make_free_arguments_record(phd_divide(x, period), phd_free_harmonics(angle->y),
+        phd_make_five(sqrt(at->nome), upper, lower + period.lo, periodic * angle->y * (0.5 / 3.141592653589793),
+            periodic), l1 < 0.0 ? 1.0 : 0.0);
+}
+
+static inline phd_free_arguments_record phd_free_complementary_arguments_inside(const phd_free_given_record *given)
+{
+    const phd_free_amplitude_record at = phd_free_amplitude(&given->body, &given->rates);
+    const phd_free_angles_record of_angles = phd_free_angles(&at);
+    return phd_free_complementary_arguments(&given->body, &given->rates, &at, &of_angles);
+}
+
+/* Return the product of quaternions. */
+static inline phd_four phd_free_turned(phd_four given, double scalar, double x, double y, double z)
+{
+    const double a = given.at[0], b = given.at[1], c = given.at[2], d = given.at[3];
+    return phd_make_four(a * scalar - b * x - c * y - d * z, a * x + b * scalar + c * z - d * y,
+        a * y - b * z + c * scalar + d * x, a * z + b * y - c * x + d * scalar);
+}
+
+/* Return the component along a given axis of a vector along axes of this order. */
+static inline double phd_free_on_axis(double k, phd_three order, double x, double y, double z)
+{
+    return order.at[0] == k ? x : order.at[1] == k ? y : z;
+}
+
+static inline phd_four phd_free_column(phd_four given, phd_three order, double scalar, double x, double y, double z)
+{
+    return phd_free_turned(given, scalar, phd_free_on_axis(0.0, order, x, y, z), phd_free_on_axis(1.0, order, x, y, z),
+        phd_free_on_axis(2.0, order, x, y, z));
+}
+
+typedef struct { phd_three at[3]; } phd_three_threes;
+
+static inline phd_three_threes phd_make_three_threes(phd_three x0, phd_three x1, phd_three x2)
+{
+    phd_three_threes all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2;
+    return all;
+}
+
+/* Return the signed permutation whose rows take canonical components to those along the given axes. */
+static inline phd_three_threes phd_free_axes_of(const phd_free_reduction_record *body)
+{
+    const double i = body->order.at[0], j = body->order.at[1], k = body->order.at[2];
+    const double middle = body->parity;
+    const double outer = body->parity * body->half_turn;
+    return phd_make_three_threes(phd_make_three(i == 0.0 ? outer : 0.0, j == 0.0 ? middle : 0.0,
+            k == 0.0 ? outer : 0.0),
+        phd_make_three(i == 1.0 ? outer : 0.0, j == 1.0 ? middle : 0.0, k == 1.0 ? outer : 0.0),
+        phd_make_three(i == 2.0 ? outer : 0.0, j == 2.0 ? middle : 0.0, k == 2.0 ? outer : 0.0));
+}
+
+typedef struct {
+    phd_sixteen first;
+    phd_nine second;
+} phd_sixteen_nine;
+
+static inline phd_sixteen_nine phd_make_sixteen_nine(phd_sixteen first, phd_nine second)
+{
+    phd_sixteen_nine all;
+    all.first = first; all.second = second;
+    return all;
+}
+
+/* Return by rows the matrices from spinor to attitude and from canonical direction to momentum.
+
+   Args:
+       body: the reduction.
+       g: |L|.
+       attitude: at the epoch.
+       spinor: likewise. */
+static inline phd_sixteen_nine phd_free_matrices(const phd_free_reduction_record *body, double g, phd_four attitude,
+    phd_four spinor)
+{
+    double a0 = spinor.at[0];
+    double a1 = spinor.at[1];
+    double b0 = spinor.at[2];
+    double b1 = spinor.at[3];
+    const double norm = sqrt(a0 * a0 + a1 * a1 + (b0 * b0 + b1 * b1));
+    a0 = a0 / norm;
+    a1 = a1 / norm;
+    b0 = b0 / norm;
+    b1 = b1 / norm;
+    /* (start frame)* (present frame) is linear in the spinor (Re A, Im A, Re B, Im B); the mirror reverses its
+       vector */
+    const double h = body->long_axis ? -body->parity : body->parity;
+    const phd_three order = body->order;
+    const double f = h * body->half_turn;
+    const phd_four p = phd_free_column(attitude, order, a0, -f * b1, h * b0, -f * a1);
+    const phd_four q = phd_free_column(attitude, order, a1, f * b0, h * b1, f * a0);
+    const phd_four r = phd_free_column(attitude, order, b0, -f * a1, -h * a0, f * b1);
+    const phd_four s = phd_free_column(attitude, order, b1, f * a0, -h * a1, -f * b0);
+    const double size = g * body->momentum_scale;
+    const phd_three_threes of_axes_of = phd_free_axes_of(body);
+    const phd_three first = of_axes_of.at[0], second = of_axes_of.at[1], third = of_axes_of.at[2];
+    return phd_make_sixteen_nine(phd_make_sixteen(p.at[0], q.at[0], r.at[0], s.at[0], p.at[1], q.at[1], r.at[1],
+            s.at[1], p.at[2], q.at[2], r.at[2], s.at[2], p.at[3], q.at[3], r.at[3], s.at[3]),
+        phd_make_nine(size * first.at[0], size * first.at[1], size * first.at[2], size * second.at[0],
+            size * second.at[1], size * second.at[2], size * third.at[0], size * third.at[1], size * third.at[2]));
+}
+
+/* Return whether the motion takes the full form, m ≤ ½, if it has a period. */
+static inline int phd_free_is_full(const phd_free_reduction_record *body)
+{
+    return body->A.hi * body->P.hi <= -body->C.hi * body->S.hi;
+}
+
+static inline phd_four phd_free_full_spinor(const phd_free_motion_record *m)
+{
+    const double zero = 0.0 * m->start.hi;
+    return phd_free_full_sums(m, phd_make_three(zero, zero, zero));
+}
+
+static inline phd_four phd_free_complementary_spinor(const phd_free_motion_record *m)
+{
+    const double zero = 0.0 * m->start.hi;
+    const phd_seven of_complementary_phase = phd_free_complementary_phase(m, phd_make_three(zero, zero, zero));
+    const double a = of_complementary_phase.at[0], b = of_complementary_phase.at[1], c = of_complementary_phase.at[2],
+        e = of_complementary_phase.at[3], factor = of_complementary_phase.at[4], other = of_complementary_phase.at[5],
+        other_factor = of_complementary_phase.at[6];
+    return phd_free_complementary_sums(m, a, b, c, exp(e) * factor, exp(other) * other_factor);
+}
+
+/* Return the motion of a body whose momentum moves. */
+static inline phd_free_motion_record phd_free_moving(const phd_free_given_record *given)
+{
+    const phd_free_reduction_record body = given->body;
+    const phd_free_frequencies_record rates = given->rates;
+    const int full = phd_free_is_full(&body) && !rates.separatrix;
+    const phd_two_threes of_phase_rates = phd_free_phase_rates(full, &body, &rates);
+    const phd_three first = of_phase_rates.at[0], second = of_phase_rates.at[1];
+    const phd_free_arguments_record at =
+        full ? phd_free_full_arguments_inside(given) : phd_free_complementary_arguments_inside(given);
+    const double kind = full ? 1.0 : 0.0;
+    const phd_free_motion_record m = phd_make_free_motion_record(kind, first, second, at.start, at.series, at.nome,
+        at.parity, PHD_FREE_SIXTEEN_ZEROS, PHD_FREE_NINE_ZEROS);
+    const phd_four spinor = full ? phd_free_full_spinor(&m) : phd_free_complementary_spinor(&m);
+    const phd_sixteen_nine of_matrices = phd_free_matrices(&body, rates.G.hi, given->attitude, spinor);
+    const phd_sixteen to_attitude = of_matrices.first;
+    const phd_nine to_momentum = of_matrices.second;
+    return phd_make_free_motion_record(kind, first, second, at.start, at.series, at.nome, at.parity, to_attitude,
+        to_momentum);
+}
+
+/* Return |Ω|/4π, the rate of half the angle of a permanent rotation, in turns. */
+static inline phd_three phd_free_permanent_rate(const phd_free_reduction_record *body)
+{
+    const double i1 = body->moments.at[0], i2 = body->moments.at[1], i3 = body->moments.at[2];
+    const double x = body->momentum.at[0], y = body->momentum.at[1], z = body->momentum.at[2];
+    const double none = 0.0 * body->root_P;
+    const phd_pair u = phd_divide(phd_make_pair(x, none), phd_make_pair(i1, none));
+    const phd_pair v = phd_divide(phd_make_pair(y, none), phd_make_pair(i2, none));
+    const phd_pair w = phd_divide(phd_make_pair(z, none), phd_make_pair(i3, none));
+    const phd_pair size = phd_root_or_zero(phd_add(phd_add(phd_square(u), phd_square(v)), phd_square(w)));
+    const phd_pair rate = phd_scale(phd_scale(phd_multiply(size, PHD_INVERSE_TWO_PI), 0.5), body->rate_scale);
+    const phd_pair of_halves = phd_halves(rate.hi);
+    const double high = of_halves.hi, low = of_halves.lo;
+    return phd_make_three(high, low, rate.lo);
+}
+
+/* Return the direction of Ω along the given axes, zero at rest. */
+static inline phd_three phd_free_rotation_axis(phd_three moments, phd_three momentum)
+{
+    const double i1 = moments.at[0], i2 = moments.at[1], i3 = moments.at[2];
+    double x = momentum.at[0];
+    double y = momentum.at[1];
+    double z = momentum.at[2];
+    double largest = phd_larger(phd_larger(fabs(x), fabs(y)), fabs(z));
+    largest = largest > 0.0 ? largest : 1.0;
+    const double least = phd_smaller(phd_smaller(i1, i2), i3);
+    x = x / largest * (least / i1);
+    y = y / largest * (least / i2);
+    z = z / largest * (least / i3);
+    double size = sqrt(x * x + y * y + z * z);
+    size = size > 0.0 ? size : 1.0;
+    return phd_make_three(x / size, y / size, z / size);
+}
+
+/* Return the motion of a body at rest, of a sphere, or in permanent rotation: (A, B) turns, and L stays. */
+static inline phd_free_motion_record phd_free_permanent(const phd_free_given_record *given)
+{
+    const double zero = 0.0 * given->body.root_P;
+    const double one = zero + 1.0;
+    const phd_three of_rotation_axis = phd_free_rotation_axis(given->moments, given->momentum);
+    const double x = of_rotation_axis.at[0], y = of_rotation_axis.at[1], z = of_rotation_axis.at[2];
+    const phd_four p = phd_free_turned(given->attitude, 1.0, zero, zero, zero);
+    const phd_four q = phd_free_turned(given->attitude, 0.0, x, y, z);
+    const double l1 = given->momentum.at[0], l2 = given->momentum.at[1], l3 = given->momentum.at[2];
+    return phd_make_free_motion_record(one, phd_free_permanent_rate(&given->body), phd_make_three(zero, zero, zero),
+        phd_make_pair(zero, zero), phd_make_ten(one, zero, zero, zero, zero, zero, zero, zero, zero, zero),
+        phd_make_five(zero, zero, zero, zero, zero), zero,
+        phd_make_sixteen(p.at[0], q.at[0], zero, zero, p.at[1], q.at[1], zero, zero, p.at[2], q.at[2], zero, zero,
+            p.at[3], q.at[3], zero, zero), phd_make_nine(zero, zero, l1, zero, zero, l2, zero, zero, l3));
+}
+
+/* Return the constants of motion of a body. */
+static inline phd_free_motion_record phd_free_motion_of(const phd_free_given_record *given)
+{
+    return given->rates.constant ? phd_free_permanent(given) : phd_free_moving(given);
+}
+
+/* ---------------------------------------------------------------- the free body */
 
 typedef enum {
     POLHODE_REST,
@@ -391,373 +1921,24 @@ typedef struct {
     double precession_rate;       /* mean rate at which the encircled axis turns about the momentum [rad/s] */
     double precession_per_period; /* that times the period [rad] */
     double flip_interval;         /* half the period, undefined of a symmetric body [s] */
+    double solid_angle;           /* of the cap that the polhode cuts off about the encircled axis [sr] */
     /* what evaluation needs */
-    int full;
     double epoch, fastest;
-    phd_rate first, second;
-    phd_pair start;
-    double a[5], b[5];        /* full form: coefficients; complementary form: cosines and sines */
-    double root_nome, decay_high, decay_low, y_turns, periodic, parity;
-    double to_attitude[16], to_momentum[9];
+    phd_free_motion_record motion;
 } polhode_free_body;
 
-typedef struct {
-    double I[3], L[3], canonical[3], axes[9];
-    phd_pair A, B, C, P, Q, S, root_S, V, G2;
-    double root_P, momentum_scale, rate_scale;
-    int long_axis;
-} phd_free;
-
-typedef struct { phd_pair modulus, mean, precession, G; int constant, separatrix; } phd_free_rates;
-
-static inline phd_pair phd_signed_distance(const double I[3], const double L[3], phd_pair A, phd_pair B)
+static inline void phd_free_put_numbers(polhode_free_body *m, const phd_free_given_record *given)
 {
-    const phd_pair first = phd_multiply(A, phd_two_product(L[0], L[0]));
-    const phd_pair plain = phd_subtract(first, phd_multiply(B, phd_two_product(L[2], L[2])));
-    phd_sum gain, loss;
-    if (!(fabs(plain.hi) < 1e-2 * first.hi)) return plain;
-    gain = phd_sum_of(phd_two_sum(I[1], -I[0]));
-    loss = phd_sum_of(phd_two_sum(I[2], -I[1]));
-    gain = phd_sum_times(&gain, I[2]);
-    gain = phd_sum_times(&gain, L[0]);
-    gain = phd_sum_times(&gain, L[0]);
-    loss = phd_sum_times(&loss, -I[0]);
-    loss = phd_sum_times(&loss, L[2]);
-    loss = phd_sum_times(&loss, L[2]);
-    return phd_distil(phd_joined(gain, &loss, 1.0));
-}
-
-static inline double phd_root_of_sum(double value, double C, double x, double B, double y)
-{
-    const int exponent = phd_exponent(fmax(fabs(x), fabs(y)));
-    if (value > 1e-280) return sqrt(value);
-    x = ldexp(x, -exponent);
-    y = ldexp(y, -exponent);
-    return ldexp(sqrt(C * x * x + B * y * y), exponent);
-}
-
-static inline phd_free phd_reduced(const double moments[3], const double momentum[3])
-{
-    phd_free f;
-    int order[3] = {0, 1, 2}, place[3], i, j, moment_exponent, momentum_exponent, near;
-    double parity, smallest, size = phd_largest3(momentum), lifted[3], half_turn, flip[3];
-    phd_pair s1, s2, s3, S;
-    for (i = 0; i < 2; i++)
-        for (j = 0; j < 2 - i; j++)
-            if (moments[order[j]] > moments[order[j + 1]]) {
-                const int swapped = order[j];
-                order[j] = order[j + 1];
-                order[j + 1] = swapped;
-            }
-    parity = (order[1] - order[0]) * (order[2] - order[0]) * (order[2] - order[1]) > 0 ? 1.0 : -1.0;
-    smallest = size;
-    for (i = 0; i < 3; i++) if (momentum[i] != 0.0) smallest = fmin(smallest, fabs(momentum[i]));
-    moment_exponent = phd_exponent(moments[order[2]]);
-    /* a component down to the smallest number keeps its digits in what is formed of it */
-    momentum_exponent = phd_exponent(size) - (smallest < ldexp(size, -900) ? 100 : 0);
-    for (i = 0; i < 3; i++) {
-        f.I[i] = ldexp(moments[order[i]], -moment_exponent);
-        f.L[i] = parity * ldexp(momentum[order[i]], -momentum_exponent);
-    }
-    f.A = phd_times(phd_two_sum(f.I[1], -f.I[0]), f.I[2]);
-    f.B = phd_times(phd_two_sum(f.I[2], -f.I[1]), f.I[0]);
-    f.C = phd_times(phd_two_sum(f.I[2], -f.I[0]), f.I[1]);
-    s1 = phd_two_product(f.L[0], f.L[0]);
-    s2 = phd_two_product(f.L[1], f.L[1]);
-    s3 = phd_two_product(f.L[2], f.L[2]);
-    f.P = phd_add(phd_multiply(f.C, s1), phd_multiply(f.B, s2));
-    f.Q = phd_add(phd_multiply(f.A, s2), phd_multiply(f.C, s3));
-    f.G2 = phd_add(phd_add(s1, s2), s3);
-    /* near the saddle L1^2 and L3^2 would lose their low words, so S is formed with both scaled up */
-    near = phd_exponent(fmax(fabs(f.L[0]), fabs(f.L[2])));
-    for (i = 0; i < 3; i++) lifted[i] = ldexp(f.L[i], -near);
-    S = phd_signed_distance(f.I, lifted, f.A, f.B);
-    f.long_axis = S.hi > 0.0;
-    f.canonical[0] = f.L[f.long_axis ? 2 : 0];
-    f.canonical[1] = f.L[1];
-    f.canonical[2] = f.L[f.long_axis ? 0 : 2];
-    for (i = 0; i < 3; i++) place[i] = order[f.long_axis ? 2 - i : i];
-    if (f.long_axis) {
-        phd_pair swapped = f.A;
-        f.A = f.B;
-        f.B = swapped;
-        swapped = f.P;
-        f.P = f.Q;
-        f.Q = swapped;
-    } else {
-        S = phd_negate(S);
-    }
-    half_turn = f.canonical[2] < 0.0 ? -1.0 : 1.0;
-    f.root_P = phd_root_of_sum(f.P.hi, f.C.hi, f.canonical[0], f.B.hi, f.L[1]);
-    f.canonical[0] *= half_turn;
-    f.canonical[2] *= half_turn;
-    flip[0] = flip[2] = half_turn;
-    flip[1] = 1.0;
-    for (i = 0; i < 3; i++)
-        for (j = 0; j < 3; j++) f.axes[3 * i + j] = place[j] == i ? parity * flip[j] : 0.0;
-    f.S = phd_scale(phd_scale(S, -ldexp(1.0, near)), ldexp(1.0, near));
-    f.root_S = phd_scale(phd_sqrt(S), ldexp(1.0, near));
-    f.V = phd_times(phd_two_product(f.I[0], f.I[1]), f.I[2]);
-    f.momentum_scale = ldexp(1.0, momentum_exponent);
-    f.rate_scale = ldexp(1.0, momentum_exponent - moment_exponent);
-    return f;
-}
-
-static inline phd_free_rates phd_rates_of(const phd_free *f)
-{
-    phd_free_rates r;
-    const phd_pair BQ = phd_multiply(f->B, f->Q);
-    const double sign = f->long_axis ? -1.0 : 1.0;
-    phd_pair start, total, outer, share;
-    int third_axis;
-    r.constant = !(BQ.hi > 0.0) || !(f->root_P > 0.0) || (f->canonical[0] == 0.0 && f->canonical[2] == 0.0);
-    r.separatrix = !(f->C.hi > 0.0 && f->root_S.hi > 0.0) && !r.constant;
-    r.G = phd_sqrt(f->G2);
-    r.modulus = phd_sqrt(BQ);
-    r.mean = PHD_ONE;
-    r.precession = PHD_ZERO;
-    if (r.constant) return r;
-    if (r.separatrix) {
-        r.precession = phd_multiply(r.G, phd_two_product(sign * f->I[0], f->I[2]));
-        return r;
-    }
-    /* of two forms the one whose sum converges fast */
-    third_axis = f->B.hi >= f->A.hi;
-    start = third_axis ? phd_multiply(f->Q, f->C) : phd_multiply(phd_multiply(f->B, f->C), f->G2);
-    r.mean = phd_agm(r.modulus, phd_multiply(phd_sqrt(f->C), f->root_S), start, &total);
-    outer = phd_two_product(sign * ((f->long_axis != 0) == (third_axis != 0) ? f->I[0] : f->I[2]), f->I[1]);
-    total = phd_multiply(third_axis ? f->A : f->P, total);
-    share = third_axis ? phd_scale(total, -0.5) : phd_scale(phd_divide(total, f->G2), 0.5);
-    r.precession = phd_multiply(r.G, phd_add(outer, share));
-    if (!third_axis) r.precession = phd_add(r.precession, r.mean);
-    return r;
-}
-
-/* Follows a circular and a hyperbolic amplitude down five Landen steps; returns the factor of the circular tangent. */
-static inline double phd_landen(double k, double dn, double *sinh_, double cosine, double dc)
-{
-    double x = 1.0, y = k, factor = 1.0;
-    int step;
-    for (step = 0; step < 5; step++) {
-        const double kappa = (x - y) / (x + y), grown = 1.0 + kappa, product = x * y;
-        const double next = sqrt(1.0 - kappa * (1.0 - dn) / (1.0 + dn));
-        x = 0.5 * (x + y);
-        y = sqrt(product);
-        factor *= next / grown;
-        *sinh_ = 2.0 * *sinh_ / (grown * (cosine + dc));
-        dc = sqrt(1.0 + kappa * (dc - cosine) / (dc + cosine));
-        cosine = 1.0;
-        dn = next;
-    }
-    return factor;
-}
-
-static inline void phd_full_series(polhode_free_body *m, const phd_free *f, double parameter, double complement)
-{
-    const double A = f->A.hi, B = f->B.hi, C = f->C.hi, Q = f->Q.hi, total = B * Q, *l = f->canonical;
-    const double k = sqrt(complement / total), over = phd_nome_over(parameter / total, k), q = over * (parameter / total);
-    /* sqrt(P/Q) sinh, as the hyperbolic sine itself overflows near a stable axis */
-    const double small = f->root_P / sqrt(Q), q2 = q * q, q4 = q2 * q2, q8 = q4 * q4;
-    double scaled = sqrt(B), grown, g, g2, r, up, down, up2, down2, both, factor;
-    factor = phd_landen(k, l[2] * sqrt(C / Q), &scaled, sqrt(B), sqrt(C));
-    grown = scaled + sqrt(small * small + scaled * scaled);
-    g = small / grown;
-    g2 = g * g;
-    r = (A / B) * over * grown * grown;
-    m->start = phd_make(atan2(sqrt(B) * l[1] * factor, sqrt(C) * l[0]) * (0.25 / PHD_PI.hi), 0.0);
-    up = -q * g2;
-    down = -q2 * r;
-    up2 = q4 * q2 * g2 * g2;
-    down2 = q8 * r * r;
-    both = up2 + down2;
-    m->a[0] = 1.0 - both;
-    m->a[1] = up + down;
-    m->a[2] = 2.0 * both;
-    m->a[3] = up - down;
-    m->a[4] = 2.0 * (up2 - down2);
-    up = -q2 * q * g2;
-    up2 = q8 * q2 * g2 * g2;
-    down2 = q4 * r * r;
-    both = up2 + down2;
-    m->b[0] = g * (1.0 - both);
-    m->b[1] = g * (up - r);
-    m->b[2] = 2.0 * g * both;
-    m->b[3] = g * (up + r);
-    m->b[4] = 2.0 * g * (up2 - down2);
-}
-
-static inline void phd_complementary_series(
-    polhode_free_body *m, const phd_free *f, const phd_free_rates *rates, double parameter, double complement)
-{
-    const double B = f->B.hi, C = f->C.hi, P = f->P.hi, Q = f->Q.hi, *l = f->canonical;
-    const int separatrix = rates->separatrix;
-    const double k = separatrix ? 1.0 : sqrt(parameter / (B * Q)), small = separatrix ? 0.0 : complement / (B * Q);
-    const double q = small * phd_nome_over(small, k);
-    const double cosine = sqrt(C) * fabs(l[0]), dc = sqrt(C) * l[2] * sqrt(P / Q), along = fabs(sqrt(B) * l[1]);
-    /* close to the unstable axis the hyperbolic sine and its square leave the range of numbers */
-    const int huge = cosine + dc < ldexp(along, -400);
-    double sinh_ = huge ? ldexp(along, -200) : along, y, argument, back;
-    const double factor = phd_landen(k, sqrt(P / B) / rates->G.hi, &sinh_, cosine, dc);
-    phd_pair x, period = PHD_ONE;
-    phd_rate halves;
-    int n;
-    y = atan(sqrt(Q / P) * factor);
-    argument = huge ? log(2.0 * sinh_) : asinh(sinh_);
-    back = huge ? 0.5 * exp(argument) : sinh(argument);
-    x = phd_fast_two_sum(argument, (sinh_ - back) / (huge ? back : sqrt(1.0 + back * back)));
-    if (huge) x = phd_add(x, phd_make(138.62943611198907, -3.3555121496085278e-15)); /* 200 ln 2 */
-    x = phd_scale(x, (l[1] < 0.0) != (l[0] < 0.0) ? -1.0 : 1.0);
-    if (!separatrix) {
-        const double e = phd_theta3_excess(q);
-        period = phd_divide(phd_multiply(rates->modulus, PHD_PI), rates->mean);
-        period = phd_add(period, phd_make(-period.hi * (e * (2.0 + e) / ((1.0 + e) * (1.0 + e))), 0.0));
-    }
-    halves = phd_split(period);
-    m->start = phd_divide(x, period);
-    for (n = 0; n < 5; n++) {
-        const double angle = (2 * n + 1) * (0.5 * y - 0.25 * PHD_PI.hi);
-        m->a[n] = cos(angle);
-        m->b[n] = sin(angle);
-    }
-    m->root_nome = sqrt(q);
-    m->decay_high = halves.upper;
-    m->decay_low = halves.lower + halves.rest;
-    m->y_turns = separatrix ? 0.0 : y * (0.5 / PHD_PI.hi);
-    m->periodic = separatrix ? 0.0 : 1.0;
-    m->parity = l[0] < 0.0 ? 1.0 : 0.0;
-}
-
-static inline void phd_free_spinor(const polhode_free_body *m, phd_time t, double spinor[4])
-{
-    const phd_phase one = phd_reduce(m->first, t), two = phd_reduce(m->second, t);
-    const double *a = m->a, *b = m->b;
-    if (m->full) {
-        const phd_wave A = phd_sine_cosine(one.fraction + (one.rest - m->start.hi));
-        const phd_wave B = phd_sine_cosine(two.fraction + (two.rest + m->start.hi));
-        const double cz = A.cosine * B.cosine + A.sine * B.sine, sz = B.sine * A.cosine - B.cosine * A.sine;
-        const double s2 = sz + sz, X = 1.0 - s2 * sz, Y = s2 * cz;
-        const double pa = a[0] + X * (a[1] + X * a[2]), qa = Y * (a[3] + X * a[4]);
-        const double pb = b[0] + X * (b[1] + X * b[2]), qb = Y * (b[3] + X * b[4]);
-        spinor[0] = A.cosine * pa - A.sine * qa;
-        spinor[1] = A.cosine * qa + A.sine * pa;
-        spinor[2] = B.cosine * pb - B.sine * qb;
-        spinor[3] = B.cosine * qb + B.sine * pb;
-    } else {
-        /* on the separatrix u runs to infinity: no period is taken out */
-        const phd_pair sum = phd_two_sum((1.0 - m->periodic) * two.turns, two.fraction);
-        const phd_pair v = phd_two_sum(sum.hi, m->start.hi);
-        const phd_pair w = phd_fast_two_sum(v.hi, two.rest + (m->start.lo + (sum.lo + v.lo)));
-        const double more = m->periodic * rint(w.hi), u = w.hi - more, side = u < 0.0 ? -1.0 : 1.0;
-        double count = m->parity + (m->periodic * two.turns + more), odd, f = u * side, g = w.lo * side, distance, e0, R, q;
-        double grow = 1.0, fall, grow_by, fall_by, ar = 0.0, ai = 0.0, br = 0.0, bi = 0.0, sign = -1.0;
-        phd_wave wave;
-        int n;
-        count -= 4.0 * rint(0.25 * count);
-        wave = phd_sine_cosine(phd_wrapped(one.fraction - 0.25 * count) + (one.rest - u * m->y_turns));
-        e0 = phd_decay(f, g, m->decay_high, m->decay_low);
-        distance = fmax(0.5 - f, 0.0);
-        R = m->periodic
-          * phd_decay(distance, ((0.5 - distance) - f) * m->periodic - g, m->decay_high, m->decay_low);
-        q = m->root_nome * m->root_nome;
-        fall = e0;
-        grow_by = m->root_nome * R;
-        fall_by = q * e0;
-        for (n = 0; n < 5; n++) {
-            const double plus = grow + fall, minus = grow - fall;
-            ar += a[n] * plus;
-            ai += b[n] * minus;
-            br += sign * b[n] * plus;
-            bi -= sign * a[n] * minus;
-            grow *= grow_by;
-            fall *= fall_by;
-            grow_by *= q;
-            fall_by *= q;
-            sign = -sign;
-        }
-        ai *= side;
-        bi *= side;
-        odd = 1.0 - 2.0 * (count - 2.0 * floor(0.5 * count));
-        spinor[0] = wave.cosine * ar - wave.sine * ai;
-        spinor[1] = wave.cosine * ai + wave.sine * ar;
-        spinor[2] = odd * (wave.cosine * br - wave.sine * bi);
-        spinor[3] = odd * (wave.cosine * bi + wave.sine * br);
-    }
-}
-
-static inline void phd_rotation_axis(const double moments[3], const double momentum[3], double axis[3])
-{
-    const double largest = phd_largest3(momentum), least = fmin(fmin(moments[0], moments[1]), moments[2]);
-    double size;
-    int i;
-    for (i = 0; i < 3; i++) axis[i] = largest > 0.0 ? momentum[i] / largest * (least / moments[i]) : 0.0;
-    size = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-    for (i = 0; i < 3; i++) axis[i] = size > 0.0 ? axis[i] / size : 0.0;
-}
-
-static inline void phd_free_matrices(
-    polhode_free_body *m, const phd_free *f, const phd_free_rates *rates, const double moments[3], const double momentum[3],
-    const double attitude[4])
-{
-    double s[4], size, relative[4][4], axis[3], column[4], turned[4];
-    const double mirror = f->long_axis ? -1.0 : 1.0;
-    int i, j, k;
-    phd_free_spinor(m, PHD_EPOCH, s);
-    size = sqrt((s[0] * s[0] + s[1] * s[1]) + (s[2] * s[2] + s[3] * s[3]));
-    for (k = 0; k < 4; k++) s[k] /= size;
-    /* rows of (start frame)* (present frame) as functions of the spinor */
-    relative[0][0] = s[0]; relative[0][1] = s[1]; relative[0][2] = s[2]; relative[0][3] = s[3];
-    relative[1][0] = -s[3]; relative[1][1] = s[2]; relative[1][2] = -s[1]; relative[1][3] = s[0];
-    relative[2][0] = s[2]; relative[2][1] = s[3]; relative[2][2] = -s[0]; relative[2][3] = -s[1];
-    relative[3][0] = -s[1]; relative[3][1] = s[0]; relative[3][2] = s[3]; relative[3][3] = -s[2];
-    phd_rotation_axis(moments, momentum, axis);
-    for (k = 0; k < 4; k++) {
-        column[0] = rates->constant ? (k == 0 ? 1.0 : 0.0) : relative[0][k];
-        for (i = 0; i < 3; i++) {
-            double sum = 0.0;
-            for (j = 0; j < 3; j++) sum += f->axes[3 * i + j] * relative[1 + j][k];
-            column[1 + i] = rates->constant ? (k == 1 ? axis[i] : 0.0) : mirror * sum;
-        }
-        phd_quaternion_product(attitude, column, turned);
-        for (i = 0; i < 4; i++) m->to_attitude[4 * i + k] = turned[i];
-    }
-    for (i = 0; i < 3; i++)
-        for (j = 0; j < 3; j++)
-            m->to_momentum[3 * i + j] = rates->constant ? (j == 2 ? momentum[i] : 0.0)
-                                                        : rates->G.hi * f->momentum_scale * f->axes[3 * i + j];
-}
-
-static inline void phd_free_numbers(
-    polhode_free_body *m, const phd_free *f, const phd_free_rates *rates, const double moments[3], const double momentum[3])
-{
-    const double sense = f->long_axis ? -1.0 : 1.0, size = phd_largest3(momentum);
-    const int symmetric = f->I[0] == f->I[1] || f->I[1] == f->I[2];
-    phd_pair scaled;
-    int i;
-    m->energy = 0.5 * (momentum[0] / moments[0] * momentum[0] + momentum[1] / moments[1] * momentum[1]
-                       + momentum[2] / moments[2] * momentum[2]);
-    m->momentum_norm = sqrt(f->G2.hi) * f->momentum_scale;
-    m->encircled_axis = -1;
-    m->modulus = m->period = m->precession_rate = m->precession_per_period = m->flip_interval = NAN;
-    m->regime = size == 0.0           ? POLHODE_REST
-              : f->I[0] == f->I[2]    ? POLHODE_SPHERICAL
-              : rates->constant       ? POLHODE_PERMANENT
-              : rates->separatrix     ? POLHODE_SEPARATRIX
-              : symmetric             ? POLHODE_SYMMETRIC
-              : f->long_axis          ? POLHODE_LONG_AXIS
-                                      : POLHODE_SHORT_AXIS;
-    if (rates->constant) return;
-    m->precession_rate = sense * phd_divide(rates->precession, f->V).hi * f->rate_scale;
-    if (rates->separatrix) {
-        m->modulus = 1.0;
-        m->period = m->precession_per_period = m->flip_interval = INFINITY;
-        return;
-    }
-    scaled = phd_divide(phd_scale(PHD_PI, 2.0), rates->mean);
-    for (i = 0; i < 3; i++) if (f->axes[3 * i + 2] != 0.0) m->encircled_axis = i;
-    m->modulus = sqrt(f->A.hi / f->B.hi) * (f->root_P / sqrt(f->Q.hi));
-    m->period = phd_multiply(scaled, f->V).hi / f->rate_scale;
-    m->precession_per_period = sense * phd_multiply(rates->precession, scaled).hi;
-    if (!symmetric) m->flip_interval = 0.5 * m->period;
+    const phd_free_numbers_record numbers = phd_free_numbers(&given->body, &given->rates);
+    m->regime = (polhode_regime)(int)numbers.regime;
+    m->encircled_axis = (int)numbers.encircled_axis;
+    m->momentum_norm = given->rates.G.hi * given->body.momentum_scale;
+    m->modulus = numbers.modulus;
+    m->period = numbers.period;
+    m->precession_rate = numbers.precession_rate;
+    m->precession_per_period = numbers.precession_per_period;
+    m->flip_interval = m->regime == POLHODE_SYMMETRIC ? NAN : 0.5 * m->period;
+    m->solid_angle = numbers.solid_angle;
 }
 
 /* Prepares a free body: principal moments [kg m2] in any order, momentum at the epoch along the principal axes, unit
@@ -767,129 +1948,1458 @@ static inline int polhode_free_body_init(
 {
     static const double identity[4] = {1.0, 0.0, 0.0, 0.0};
     const int error = phd_check(moments, momentum, attitude, epoch);
-    double q[4], size = 1.0, parameter, complement;
-    phd_free f;
-    phd_free_rates rates;
-    phd_pair inverse, half, turn, first, second;
-    int k;
+    const double *q = attitude ? attitude : identity, size = phd_length(q, 4);
+    phd_free_given_record given;
     if (error) return error;
-    if (!attitude) attitude = identity;
-    size = sqrt(attitude[0] * attitude[0] + attitude[1] * attitude[1] + attitude[2] * attitude[2] + attitude[3] * attitude[3]);
-    for (k = 0; k < 4; k++) q[k] = attitude[k] / size;
-    f = phd_reduced(moments, momentum);
-    rates = phd_rates_of(&f);
-    parameter = f.A.hi * f.P.hi;
-    complement = -f.C.hi * f.S.hi;
+    given.moments = phd_make_three(moments[0], moments[1], moments[2]);
+    given.momentum = phd_make_three(momentum[0], momentum[1], momentum[2]);
+    given.attitude = phd_make_four(q[0] / size, q[1] / size, q[2] / size, q[3] / size);
+    given.body = phd_free_reduction(given.moments, given.momentum);
+    given.rates = phd_free_frequencies(&given.body);
     m->epoch = epoch;
-    m->fastest = 0.0;
-    for (k = 0; k < 3; k++) m->fastest = fmax(m->fastest, fabs(momentum[k] / moments[k]));
-    m->full = rates.constant || (parameter <= complement && !rates.separatrix);
-    inverse = phd_scale(phd_divide(PHD_INVERSE_TWO_PI, f.V), f.rate_scale);
-    half = phd_scale(phd_multiply(rates.precession, inverse), 0.5);
-    turn = phd_scale(phd_multiply(rates.mean, inverse), 2.0);
-    m->start = PHD_ZERO;
-    m->root_nome = m->decay_high = m->decay_low = m->y_turns = m->periodic = m->parity = 0.0;
-    for (k = 0; k < 5; k++) m->a[k] = m->b[k] = 0.0;
-    if (rates.constant) {
-        phd_pair sum = PHD_ZERO;
-        for (k = 0; k < 3; k++) sum = phd_add(sum, phd_square(phd_divide(phd_make(f.L[k], 0.0), phd_make(f.I[k], 0.0))));
-        first = phd_scale(phd_multiply(phd_sqrt(sum), PHD_INVERSE_TWO_PI), 0.5 * f.rate_scale);
-        second = PHD_ZERO;
-        m->a[0] = 1.0;
-    } else if (m->full) {
-        first = phd_subtract(half, phd_scale(turn, 0.25));
-        second = phd_add(half, phd_scale(turn, 0.25));
-        phd_full_series(m, &f, parameter, complement);
-    } else {
-        first = half;
-        second = rates.separatrix ? phd_scale(phd_divide(rates.modulus, f.V), f.rate_scale) : turn;
-        phd_complementary_series(m, &f, &rates, parameter, complement);
-    }
-    m->first = phd_split(first);
-    m->second = phd_split(second);
-    phd_free_matrices(m, &f, &rates, moments, momentum, q);
-    phd_free_numbers(m, &f, &rates, moments, momentum);
-    return isfinite(m->fastest) && isfinite(first.hi) && isfinite(second.hi) && isfinite(m->first.lower)
-            && isfinite(m->second.lower) && phd_are_finite(m->to_attitude, 16) && phd_are_finite(m->to_momentum, 9)
+    m->fastest = phd_fastest(moments, momentum);
+    m->energy = phd_kinetic_energy(moments, momentum);
+    m->motion = phd_free_motion_of(&given);
+    phd_free_put_numbers(m, &given);
+    return isfinite(m->fastest) && phd_are_finite(m->motion.first.at, 3) && phd_are_finite(m->motion.second.at, 3)
+            && phd_are_finite(m->motion.to_attitude.at, 16) && phd_are_finite(m->motion.to_momentum.at, 9)
          ? POLHODE_OK : POLHODE_OUT_OF_RANGE;
 }
 
 /* Gives attitude (w, x, y, z) and momentum (body axes) at a time [s]. Returns 0 or an error code. */
 static inline int polhode_free_body_state(const polhode_free_body *m, double t, double attitude[4], double momentum[3])
 {
-    const phd_time since = phd_since(t, m->epoch);
-    double s[4], aa, bb, x, root, n[3];
-    int k;
-    if (!(fabs(since.high) * m->fastest <= 1e27)) return POLHODE_BAD_TIME;
-    phd_free_spinor(m, since, s);
-    aa = s[0] * s[0] + s[1] * s[1];
-    bb = s[2] * s[2] + s[3] * s[3];
-    x = 1.0 / (aa + bb);
-    root = sqrt(x);
-    n[0] = (s[0] * s[2] + s[1] * s[3]) * (x + x);
-    n[1] = (s[0] * s[3] - s[1] * s[2]) * (x + x);
-    n[2] = (aa - bb) * x;
-    for (k = 0; k < 4; k++) s[k] *= root;
-    for (k = 0; k < 4; k++) {
-        const double *row = m->to_attitude + 4 * k;
-        attitude[k] = ((row[0] * s[0] + row[1] * s[1]) + row[2] * s[2]) + row[3] * s[3];
-    }
-    for (k = 0; k < 3; k++) {
-        const double *row = m->to_momentum + 3 * k;
-        momentum[k] = (row[0] * n[0] + row[1] * n[1]) + row[2] * n[2];
-    }
+    phd_pair elapsed;
+    phd_seven state;
+    const int error = phd_since(t, m->epoch, m->fastest, &elapsed);
+    if (error) return error;
+    state = phd_free_state_at(&m->motion, elapsed.hi, elapsed.lo);
+    for (int k = 0; k < 4; k++) attitude[k] = state.at[k];
+    for (int k = 0; k < 3; k++) momentum[k] = state.at[4 + k];
     return POLHODE_OK;
 }
 
-/* ---------------------------------------------------------------- the Lagrange top
-   Comments on the method stand in top_reduction.js, top_roots.js, top_rates.js, top_series.js and top_state.js. */
+/* ---------------------------------------------------------------- formulas of the Lagrange top */
 
-typedef enum {
-    POLHODE_TOP_REST,
-    POLHODE_TOP_SLEEPING,
-    POLHODE_TOP_HANGING,
-    POLHODE_TOP_STEADY,
-    POLHODE_TOP_FREE,
-    POLHODE_TOP_PLANAR,
-    POLHODE_TOP_UNDULATING,
-    POLHODE_TOP_CUSP,
-    POLHODE_TOP_LOOP,
-    POLHODE_TOP_SEPARATRIX
-} polhode_top_regime;
+/* binary exponent down to which a square has all its digits */
+static const double PHD_TOP_SQUARABLE = -400.0;
+static const phd_pair PHD_TOP_ONE = {1.0, 0.0};
+static const phd_pair PHD_TOP_ZERO = {0.0, 0.0};
+/* A top with mgl ≥ 0, scaled by powers of two; pairs are double-double.
+
+   u = cos θ, s = 1 − u, t = 1 + u, index 0 at the epoch; dots are derivatives by τ. */
+typedef struct {
+    phd_pair moments; /* I1, I3 */
+    phd_three momentum; /* with the displacement scaled up by 2^lift */
+    phd_four quaternion; /* not normalised; likewise */
+    int reversed; /* whether the axis was reversed */
+    double lift; /* binary exponent of the displacement's scale, 0 for most tops */
+    double momentum_scale; /* powers of two taken out */
+    double rate_scale;
+    phd_pair size; /* |q|² as given */
+    phd_pair G;
+    phd_pair s0;
+    phd_pair t0;
+    phd_pair u0;
+    phd_pair p; /* u̇ at the epoch */
+    phd_pair c; /* p_φ − L3 */
+    phd_pair c_plus; /* p_φ + L3 */
+    phd_pair twist; /* p_φ − u L3 at the epoch */
+    phd_pair F; /* |w|² − G s − a c */
+    phd_pair D; /* 2G − a² − |w|² + G s */
+    phd_pair w2; /* |w|² at the epoch */
+    phd_pair lean; /* a (|w|² − G s) − G c: its sign against a's tells loops from waves */
+} phd_top_reduction_record;
+
+static inline phd_top_reduction_record phd_make_top_reduction_record(phd_pair moments, phd_three momentum,
+    phd_four quaternion, int reversed, double lift, double momentum_scale, double rate_scale, phd_pair size, phd_pair G,
+    phd_pair s0, phd_pair t0, phd_pair u0, phd_pair p, phd_pair c, phd_pair c_plus, phd_pair twist, phd_pair F,
+    phd_pair D, phd_pair w2, phd_pair lean)
+{
+    phd_top_reduction_record all;
+    all.moments = moments; all.momentum = momentum; all.quaternion = quaternion; all.reversed = reversed;
+    all.lift = lift; all.momentum_scale = momentum_scale; all.rate_scale = rate_scale; all.size = size; all.G = G;
+    all.s0 = s0; all.t0 = t0; all.u0 = u0; all.p = p; all.c = c; all.c_plus = c_plus; all.twist = twist; all.F = F;
+    all.D = D; all.w2 = w2; all.lean = lean;
+    return all;
+}
+
+/* Return whether the axis points up rather than down at the epoch. */
+static inline int phd_top_is_upright(const phd_top_reduction_record *top)
+{
+    return top->s0.hi < top->t0.hi;
+}
+
+/* Return whether the displacement was scaled up and grows. */
+static inline int phd_top_leaves(const phd_top_reduction_record *top)
+{
+    return top->lift > 0.0 && phd_top_is_upright(top) && top->D.hi > 0.0;
+}
+
+/* Distances between the roots, the poles u = ±1 and the start u0, each as a number of its own. */
+typedef struct {
+    phd_pair from_lower; /* u0 − u1 */
+    phd_pair from_upper; /* u2 − u0 */
+    phd_pair d; /* u2 − u1 */
+    phd_pair s1; /* 1 − u1 */
+    phd_pair s2; /* 1 − u2 */
+    phd_pair t1; /* 1 + u1 */
+    phd_pair t2; /* 1 + u2 */
+    phd_pair A; /* G (u3 − u1) */
+    phd_pair B; /* G (u3 − u2) */
+    phd_pair Y; /* G (u3 − u0) */
+    phd_pair Z_minus; /* G (u3 − 1) */
+    phd_pair Z_plus; /* G (u3 + 1) */
+} phd_top_turning_points_record;
+
+static inline phd_top_turning_points_record phd_make_top_turning_points_record(phd_pair from_lower, phd_pair from_upper,
+    phd_pair d, phd_pair s1, phd_pair s2, phd_pair t1, phd_pair t2, phd_pair A, phd_pair B, phd_pair Y,
+    phd_pair Z_minus, phd_pair Z_plus)
+{
+    phd_top_turning_points_record all;
+    all.from_lower = from_lower; all.from_upper = from_upper; all.d = d; all.s1 = s1; all.s2 = s2; all.t1 = t1;
+    all.t2 = t2; all.A = A; all.B = B; all.Y = Y; all.Z_minus = Z_minus; all.Z_plus = Z_plus;
+    return all;
+}
+
+typedef struct { phd_pair at[3]; } phd_three_pairs;
+
+static inline phd_three_pairs phd_make_three_pairs(phd_pair x0, phd_pair x1, phd_pair x2)
+{
+    phd_three_pairs all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2;
+    return all;
+}
 
 typedef struct {
-    /* what the motion means: what is infinite is INFINITY, what is undefined NAN */
-    polhode_top_regime regime;
-    double energy;                /* [J], zero potential where the axis is level */
-    double lowest, highest;       /* limits of the cosine of the tilt from the upward vertical */
-    double nutation_period;       /* [s]; of a steady top that of its smallest nutations */
-    double precession_per_period; /* azimuth gained by the axis in a period, unreduced [rad] */
-    double spin_per_period;       /* the body's own turn in a period, unreduced [rad] */
-    /* what evaluation needs */
+    phd_pair first;
+    phd_three_pairs second;
+    phd_three_pairs third;
+} phd_pair_two_three_pairss;
+
+static inline phd_pair_two_three_pairss phd_make_pair_two_three_pairss(phd_pair first, phd_three_pairs second,
+    phd_three_pairs third)
+{
+    phd_pair_two_three_pairss all;
+    all.first = first; all.second = second; all.third = third;
+    return all;
+}
+
+/* Return f1, and the cubics x³ + bx² + cx + d of Y = G (u3 − u0) and of s = 1 − u1; inverse is 1/G. */
+static inline phd_pair_two_three_pairss phd_top_cubics(double axial, phd_pair g, phd_pair inverse, phd_pair s0,
+    phd_pair t0, phd_pair u0, phd_pair w2, phd_pair twist, phd_pair p2, phd_pair c2, phd_pair d, phd_pair f)
+{
+    /* with v = u − u0 and the |w|² of the start, u̇² = (1 − u²)(|w|² − G v) − (b − a u)² = p² + f1 v + f2 v² + G v³,
+       and with s = 1 − u it is −(G s³ − D s² − 2F s + c²) */
+    phd_pair f1 = phd_subtract(phd_scale(phd_multiply_float(twist, axial), 2.0), phd_multiply(g, phd_multiply(s0, t0)));
+    f1 = phd_subtract(f1, phd_scale(phd_multiply(u0, w2), 2.0));
+    const phd_pair f2 = phd_subtract(phd_subtract(phd_scale(phd_multiply(g, u0), 2.0), w2), phd_two_square(axial));
+    d = phd_multiply(d, inverse);
+    f = phd_multiply(f, inverse);
+    return phd_make_pair_two_three_pairss(f1,
+        phd_make_three_pairs(f2, phd_multiply(g, f1), phd_multiply(phd_square(g), p2)),
+        phd_make_three_pairs(phd_make_pair(-d.hi, -d.lo), phd_scale(f, -2.0), phd_multiply(c2, inverse)));
+}
+
+/* Return x / y, and zero for x = 0 whatever y. */
+static inline phd_pair phd_top_quotient(phd_pair x, phd_pair y)
+{
+    const int zero = x.hi == 0.0;
+    return zero ? x : phd_divide(x, zero ? PHD_TOP_ONE : y);
+}
+
+/* Return x + y = √((x − y)² + 4 x y), also where the square underflows. */
+static inline phd_pair phd_top_difference(phd_pair total, phd_pair product)
+{
+    const double exponent = phd_binary_exponent(total.hi);
+    const int alone = product.hi == 0.0 || phd_binary_exponent(product.hi) < 2.0 * exponent;
+    const double power = total.hi != 0.0 && exponent < PHD_TOP_SQUARABLE && alone ? -exponent : 0.0;
+    const double up = phd_times_power(1.0, power);
+    const phd_pair raised = phd_scale(phd_scale(product, up), up);
+    return phd_scale(phd_root_or_zero(phd_add(phd_square(phd_scale(total, up)), phd_scale(raised, 4.0))),
+        phd_times_power(1.0, -power));
+}
+
+/* Return x ≥ 0 and y ≥ 0 from x − y, x + y and x y. */
+static inline phd_two_pairs phd_top_larger_and_smaller(phd_pair total, phd_pair sum_, phd_pair product)
+{
+    const int positive = total.hi >= 0.0;
+    const phd_pair larger = phd_scale(phd_add(sum_, positive ? total : phd_make_pair(-total.hi, -total.lo)), 0.5);
+    const phd_pair smaller = larger.hi > 0.0 ? phd_top_quotient(product, larger) : PHD_TOP_ZERO;
+    return phd_make_two_pairs(positive ? larger : smaller, positive ? smaller : larger);
+}
+
+typedef struct { phd_pair at[9]; } phd_nine_pairs;
+
+static inline phd_nine_pairs phd_make_nine_pairs(phd_pair x0, phd_pair x1, phd_pair x2, phd_pair x3, phd_pair x4,
+    phd_pair x5, phd_pair x6, phd_pair x7, phd_pair x8)
+{
+    phd_nine_pairs all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3; all.at[4] = x4; all.at[5] = x5; all.at[6] = x6;
+    all.at[7] = x7; all.at[8] = x8;
+    return all;
+}
+
+/* From Y = G (u3 − u0): with v = u − u0, v1 + v2 = (f1 + G p²/Y)/Y and v1 v2 = −p²/Y. */
+static inline phd_nine_pairs phd_top_upper_root_apart(phd_pair g, phd_pair s0, phd_pair p2, phd_pair c2, phd_pair f1,
+    phd_pair y)
+{
+    const phd_pair product = phd_top_quotient(p2, y);
+    const phd_pair total = phd_top_quotient(phd_add(f1, phd_multiply(g, product)), y);
+    const phd_pair gap = phd_top_difference(total, product);
+    const phd_two_pairs of_larger_and_smaller = phd_top_larger_and_smaller(total, gap, product);
+    const phd_pair upper = of_larger_and_smaller.at[0], lower = of_larger_and_smaller.at[1];
+    const phd_pair s1 = phd_add(s0, lower);
+    phd_pair s2 = phd_subtract(s0, upper);
+    phd_pair z = phd_subtract(y, phd_multiply(g, s0));
+    /* s1 s2 Z = c²; of s2 and Z only the larger is an accurate difference */
+    const int take = z.hi >= phd_multiply(g, s2).hi;
+    const phd_pair other = phd_top_quotient(c2, phd_multiply(s1, take ? z : s2));
+    s2 = take ? other : s2;
+    z = take ? z : other;
+    return phd_make_nine_pairs(lower, upper, gap, s1, s2, phd_add(y, phd_multiply(g, lower)),
+        phd_subtract(y, phd_multiply(g, upper)), y, z);
+}
+
+/* From s1 = 1 − u1: s2 + s3 = (c²/s1 − 2F)/(G s1) and s2 s3 = −c²/(G s1). */
+static inline phd_nine_pairs phd_top_lower_root_apart(phd_pair g, phd_pair s0, phd_pair p2, phd_pair c2, phd_pair f,
+    phd_pair s1)
+{
+    const phd_pair gs = phd_multiply(g, s1);
+    const phd_pair product = phd_top_quotient(c2, gs);
+    const phd_pair total = phd_divide(phd_add(phd_scale(f, -2.0), phd_top_quotient(c2, s1)), gs);
+    const phd_pair between = phd_top_difference(total, product);
+    const phd_two_pairs of_larger_and_smaller = phd_top_larger_and_smaller(total, between, product);
+    const phd_pair s2 = of_larger_and_smaller.at[0], minus_s3 = of_larger_and_smaller.at[1];
+    const phd_pair z = phd_multiply(g, minus_s3);
+    const phd_pair y = phd_add(phd_multiply(g, s0), z);
+    phd_pair upper = phd_subtract(s0, s2);
+    phd_pair lower = phd_subtract(s1, s0);
+    const int take = upper.hi >= lower.hi;
+    const phd_pair other = phd_top_quotient(phd_top_quotient(p2, y), take ? upper : lower);
+    upper = take ? upper : other;
+    lower = take ? other : lower;
+    return phd_make_nine_pairs(lower, upper, phd_subtract(s1, s2), s1, s2, phd_multiply(g, phd_add(s1, minus_s3)),
+        phd_multiply(g, between), y, z);
+}
+
+/* Return the turning points from the separate root, Y or else s1; safe is G, where it is positive. */
+static inline phd_top_turning_points_record phd_top_turning_points_of(int is_upper, phd_pair lone_root, phd_pair g,
+    phd_pair safe, phd_pair s0, phd_pair t0, phd_pair p2, phd_pair c2, phd_pair c_plus, phd_pair f, phd_pair f1)
+{
+    const phd_nine_pairs x = phd_top_upper_root_apart(g, s0, p2, c2, f1, lone_root);
+    const phd_nine_pairs y = phd_top_lower_root_apart(safe, s0, p2, c2, f, lone_root);
+    const phd_pair upper = is_upper ? x.at[1] : y.at[1];
+    const phd_pair apart = is_upper ? x.at[7] : y.at[7];
+    const phd_pair t2 = phd_add(t0, upper);
+    const phd_pair z = phd_add(apart, phd_multiply(g, t0));
+    return phd_make_top_turning_points_record(is_upper ? x.at[0] : y.at[0], upper, is_upper ? x.at[2] : y.at[2],
+        is_upper ? x.at[3] : y.at[3], is_upper ? x.at[4] : y.at[4],
+        phd_top_quotient(phd_square(c_plus), phd_multiply(t2, z)), t2, is_upper ? x.at[5] : y.at[5],
+        is_upper ? x.at[6] : y.at[6], apart, is_upper ? x.at[8] : y.at[8], z);
+}
+
+/* All that evaluation needs of a top: numbers, or arrays with one for each of many.
+
+   Each series has four terms: q^16 is below 1e-21. */
+typedef struct {
+    double full; /* whether it takes the full form */
+    phd_three first; /* of the phase of α [turns per time] */
+    phd_three second; /* of the phase of β */
+    phd_three third; /* full: of z/2π; complementary: of x/2K */
+    phd_pair start; /* the same at the epoch, double-double */
+    phd_four a_sum; /* full: sums of the terms e^{±ikz} in A; complementary: their factors of sin ky, k = 1, 3, 5, 7 */
+    phd_four a_gap; /* full: differences; complementary: factors of cos ky */
+    phd_four b_sum; /* full: as of A; complementary: factors of cos ky, k = 2, 4, 6, 8 */
+    phd_four b_gap; /* full: as of A; complementary: factors of sin ky */
+    double constant; /* complementary: the constant term of B */
+    phd_six nome; /* complementary: q, πK/K' in halves, y_a/π, y_b/π, whether periodic */
+    phd_pair signs; /* of c' and c */
+    phd_pair rates; /* of w: twice dz/dt or dx'/dt, twice the sum of the linear rates [momentum] */
+    phd_four phases; /* cos, sin of the constant phases of α and β */
+    double axial; /* L3 */
+    double reversed; /* −1 where the axis was turned round */
+} phd_top_motion_record;
+
+static inline phd_top_motion_record phd_make_top_motion_record(double full, phd_three first, phd_three second,
+    phd_three third, phd_pair start, phd_four a_sum, phd_four a_gap, phd_four b_sum, phd_four b_gap, double constant,
+    phd_six nome, phd_pair signs, phd_pair rates, phd_four phases, double axial, double reversed)
+{
+    phd_top_motion_record all;
+    all.full = full; all.first = first; all.second = second; all.third = third; all.start = start; all.a_sum = a_sum;
+    all.a_gap = a_gap; all.b_sum = b_sum; all.b_gap = b_gap; all.constant = constant; all.nome = nome;
+    all.signs = signs; all.rates = rates; all.phases = phases; all.axial = axial; all.reversed = reversed;
+    return all;
+}
+
+/* Sum the products, smallest first. */
+static inline double phd_top_dot(phd_four x, phd_four y)
+{
+    const double a = x.at[0], b = x.at[1], c = x.at[2], d = x.at[3];
+    const double e = y.at[0], f = y.at[1], g = y.at[2], h = y.at[3];
+    return d * h + c * g + b * f + a * e;
+}
+
+/* Sum the products times 1, 3, 5 and 7, which a derivative brings. */
+static inline double phd_top_odd(phd_four x, phd_four y)
+{
+    const double a = x.at[0], b = x.at[1], c = x.at[2], d = x.at[3];
+    const double e = y.at[0], f = y.at[1], g = y.at[2], h = y.at[3];
+    return d * (7.0 * h) + c * (5.0 * g) + b * (3.0 * f) + a * e;
+}
+
+/* Sum the products times 2, 4, 6 and 8. */
+static inline double phd_top_even(phd_four x, phd_four y)
+{
+    const double a = x.at[0], b = x.at[1], c = x.at[2], d = x.at[3];
+    const double e = y.at[0], f = y.at[1], g = y.at[2], h = y.at[3];
+    return d * (8.0 * h) + c * (6.0 * g) + b * (4.0 * f) + a * (2.0 * e);
+}
+
+static inline double phd_top_turns(phd_three rate, phd_three time)
+{
+    const phd_three of_phase = phd_phase(rate, time);
+    const double fraction = of_phase.at[0], rest = of_phase.at[1];
+    return fraction + rest;
+}
+
+/* Sum A, B and their derivatives by z. */
+static inline phd_ten phd_top_full_sums(const phd_top_motion_record *m, phd_three time)
+{
+    const double sa = m->signs.hi, sb = m->signs.lo;
+    const phd_three of_phase = phd_phase(m->third, time);
+    const double fraction = of_phase.at[0], rest = of_phase.at[1];
+    const double z = fraction + (rest + m->start.hi);
+    const phd_pair of_sine_cosine = phd_sine_cosine(z - phd_whole(z));
+    const double s1 = of_sine_cosine.hi, c1 = of_sine_cosine.lo;
+    const double c = 1.0 - 2.0 * s1 * s1;
+    const double s = 2.0 * s1 * c1;
+    const double c3 = c1 * c - s1 * s;
+    const double s3 = s1 * c + c1 * s;
+    const double c5 = c3 * c - s3 * s;
+    const double s5 = s3 * c + c3 * s;
+    const double c7 = c5 * c - s5 * s;
+    const double s7 = s5 * c + c5 * s;
+    const phd_four cosines = phd_make_four(c1, c3, c5, c7);
+    const phd_four sines = phd_make_four(s1, s3, s5, s7);
+    return phd_make_ten(phd_top_dot(m->a_sum, sines), -sa * phd_top_dot(m->a_gap, cosines),
+        phd_top_dot(m->b_sum, cosines), sb * phd_top_dot(m->b_gap, sines), phd_top_odd(m->a_sum, cosines),
+        sa * phd_top_odd(m->a_gap, sines), -phd_top_odd(m->b_sum, sines), sb * phd_top_odd(m->b_gap, cosines),
+        phd_top_turns(m->first, time), phd_top_turns(m->second, time));
+}
+
+/* Return side, both phases in turns, and exponent and factor of E and of R, which sum A and B. */
+static inline phd_seven phd_top_complementary_phase(const phd_top_motion_record *m, phd_three time)
+{
+    const double upper = m->nome.at[1], lower = m->nome.at[2], ya_turns = m->nome.at[3], yb_turns = m->nome.at[4],
+        periodic = m->nome.at[5];
+    const double sa = m->signs.hi, sb = m->signs.lo;
+    const phd_three of_reduced_argument = phd_reduced_argument(m->third, m->start, periodic, time);
+    const double u = of_reduced_argument.at[0], u_rest = of_reduced_argument.at[1], count = of_reduced_argument.at[2];
+    const double side = u < 0.0 ? -1.0 : 1.0;
+    const double f = u * side;
+    const double g = u_rest * side;
+    const phd_pair of_exponent = phd_exponent(f, g, upper, lower);
+    const double e = of_exponent.hi, e_factor = of_exponent.lo;
+    const double distance = phd_larger(0.5 - f, 0.0);
+    const phd_pair of_exponent_2 = phd_exponent(distance, (0.5 - distance - f) * periodic - g, upper, lower);
+    const double r = of_exponent_2.hi, r_factor = of_exponent_2.lo;
+    const double half = 0.5 * (count - 2.0 * floor(0.5 * count));
+    const double within = u + u_rest;
+    double turns_a = phd_top_turns(m->first, time) + sa * within * ya_turns;
+    double turns_b = phd_top_turns(m->second, time) + sb * within * yb_turns;
+    turns_a = turns_a - phd_whole(turns_a) + half;
+    turns_b = turns_b - phd_whole(turns_b) + half;
+    return phd_make_seven(side, turns_a, turns_b, e, e_factor, r, periodic * r_factor);
+}
+
+/* Sum A, B and their derivatives by x' in the decaying powers of E = e^−|x'| and the growing ones of R = √q/E. */
+static inline phd_ten phd_top_complementary_sums(const phd_top_motion_record *m, double side, double turns_a,
+    double turns_b, double e0, double R)
+{
+    const double q = m->nome.at[0];
+    const double sa = m->signs.hi, sb = m->signs.lo;
+    const double h = e0 * e0;
+    const double r = R * R;
+    const double h2 = h * h;
+    const double h3 = h * h2;
+    const double h5 = h3 * h2;
+    const double h7 = h5 * h2;
+    const double q2 = q * q;
+    const double q3 = q2 * q;
+    const double w1 = q * r;
+    const double w2 = q2 * r;
+    const double w3 = q3 * r;
+    const double p1 = q * h;
+    const double p2 = q2 * h;
+    const double p3 = q3 * h;
+    const double p4 = q2 * q2 * h;
+    const double v2 = w2 * w2;
+    double v3 = w3 * w3;
+    const double u1 = w1 * w1;
+    const double u2 = v2 * w2;
+    const double u3 = v3 * v3;
+    const double d2 = p2 * p2;
+    const double d3 = p3 * p3 * p3;
+    const double d4 = p4 * p4 * (p4 * p4);
+    v3 = v3 * w3;
+    const phd_four sums = phd_make_four(1.0 + h, w1 * (1.0 + h3), v2 * (1.0 + h5), v3 * (1.0 + h7));
+    const phd_four gaps = phd_make_four(1.0 - h, w1 * (1.0 - h3), v2 * (1.0 - h5), v3 * (1.0 - h7));
+    const phd_four up = phd_make_four(r + p1, u1 + d2, u2 + d3, u3 + d4);
+    const phd_four down = phd_make_four(r - p1, u1 - d2, u2 - d3, u3 - d4);
+    const double e = 2.0 * e0;
+    return phd_make_ten(phd_top_dot(m->a_sum, sums), sa * side * phd_top_dot(m->a_gap, gaps),
+        e * (m->constant + phd_top_dot(m->b_sum, up)), -sb * side * e * phd_top_dot(m->b_gap, down),
+        side * phd_top_odd(m->a_sum, gaps), sa * phd_top_odd(m->a_gap, sums), side * e * phd_top_even(m->b_sum, down),
+        -sb * e * phd_top_even(m->b_gap, up), turns_a, turns_b);
+}
+
+/* Return attitude and momentum: α = A e^{iφ_a}, β = B e^{iφ_b} over their norm, and w. */
+static inline phd_seven phd_top_state_of(const phd_top_motion_record *m, phd_ten sums)
+{
+    const double ar = sums.at[0], ai = sums.at[1], br = sums.at[2], bi = sums.at[3], dar = sums.at[4], dai = sums.at[5],
+        dbr = sums.at[6], dbi = sums.at[7], turns_a = sums.at[8], turns_b = sums.at[9];
+    const double by_argument = m->rates.hi, by_phase = m->rates.lo;
+    const double c0 = m->phases.at[0], s0 = m->phases.at[1], c1 = m->phases.at[2], s1 = m->phases.at[3];
+    double x = 1.0 / (ar * ar + ai * ai + (br * br + bi * bi));
+    const double root = sqrt(x);
+    const phd_pair of_sine_cosine = phd_sine_cosine(turns_a - phd_whole(turns_a));
+    double s = of_sine_cosine.hi;
+    double c = of_sine_cosine.lo;
+    const double ca = c * c0 - s * s0;
+    const double sa = s * c0 + c * s0;
+    const phd_pair of_sine_cosine_2 = phd_sine_cosine(turns_b - phd_whole(turns_b));
+    s = of_sine_cosine_2.hi;
+    c = of_sine_cosine_2.lo;
+    const double cb = c * c1 - s * s1;
+    const double sb = s * c1 + c * s1;
+    const double ar_t = (ar * ca - ai * sa) * root;
+    const double ai_t = (ar * sa + ai * ca) * root;
+    const double br_t = (br * cb - bi * sb) * root;
+    const double bi_t = (br * sb + bi * cb) * root;
+    /* ĀB' − BĀ' and i ĀB */
+    const double gain_r = ar * dbr + ai * dbi - (br * dar + bi * dai);
+    const double gain_i = ar * dbi - ai * dbr - (bi * dar - br * dai);
+    const double turn_r = ai * br - ar * bi;
+    const double turn_i = ar * br + ai * bi;
+    const double wr = (by_argument * gain_r + by_phase * turn_r) * x;
+    const double wi = (by_argument * gain_i + by_phase * turn_i) * x;
+    const double cw = cb * ca + sb * sa;
+    const double sw = sb * ca - cb * sa;
+    const double side = m->reversed;
+    const int turned = side < 0.0;
+    const phd_pair of_w_z = turned ? phd_make_pair(br_t, bi_t) : phd_make_pair(ar_t, ai_t);
+    const double w = of_w_z.hi, z = of_w_z.lo;
+    const phd_pair of_x_y = turned ? phd_make_pair(ar_t, ai_t) : phd_make_pair(br_t, bi_t);
+    x = of_x_y.hi;
+    const double y = of_x_y.lo;
+    return phd_make_seven(w, side * x, side * y, z, wr * cw - wi * sw, side * (wr * sw + wi * cw), m->axial);
+}
+
+/* Return attitude and momentum of a motion at a time, given in two parts. */
+static inline phd_seven phd_top_state_at(const phd_top_motion_record *m, double time, double rest)
+{
+    const phd_pair of_halves = phd_halves(time);
+    const double high = of_halves.hi, low = of_halves.lo;
+    if (m->full != 0.0) {
+        return phd_top_state_of(m, phd_top_full_sums(m, phd_make_three(high, low, rest)));
+    }
+    const phd_seven of_complementary_phase = phd_top_complementary_phase(m, phd_make_three(high, low, rest));
+    const double a = of_complementary_phase.at[0], b = of_complementary_phase.at[1], c = of_complementary_phase.at[2],
+        exponent = of_complementary_phase.at[3], factor = of_complementary_phase.at[4],
+        other = of_complementary_phase.at[5], other_factor = of_complementary_phase.at[6];
+    const double e0 = exp(exponent) * factor;
+    const double R = exp(other) * other_factor;
+    return phd_top_state_of(m, phd_top_complementary_sums(m, a, b, c, e0, R));
+}
+
+/* Rates by τ = t/I1 in scaled units; all but the signs and flags are double-double. */
+typedef struct {
+    phd_pair half_root; /* W = ½√A: x = x0 + W τ */
+    phd_pair nutation; /* ϖ = ½ agm(√A, √B) = πW/2K, zero on the separatrix */
+    phd_pair alpha; /* linear rates of the phases of α and β apart from their theta quotients */
+    phd_pair beta;
+    double sign_alpha; /* sgn c' and sgn c, +1 for zero */
+    double sign_beta;
+    phd_pair spin; /* ν I1, the spin that I3 ≠ I1 adds, by τ */
+    int permanent; /* the momentum stays: sleeping, hanging, rest */
+    int separatrix;
+    int steady; /* the tilt stays */
+} phd_top_frequencies_record;
+
+static inline phd_top_frequencies_record phd_make_top_frequencies_record(phd_pair half_root, phd_pair nutation,
+    phd_pair alpha, phd_pair beta, double sign_alpha, double sign_beta, phd_pair spin, int permanent, int separatrix,
+    int steady)
+{
+    phd_top_frequencies_record all;
+    all.half_root = half_root; all.nutation = nutation; all.alpha = alpha; all.beta = beta; all.sign_alpha = sign_alpha;
+    all.sign_beta = sign_beta; all.spin = spin; all.permanent = permanent; all.separatrix = separatrix;
+    all.steady = steady;
+    return all;
+}
+
+/* What the means start from, and harmless numbers where there is no period. */
+typedef struct {
+    phd_pair root_A;
+    phd_pair root_B;
+    phd_pair alpha; /* p² of the sums of α and β */
+    phd_pair beta;
+    int permanent;
+    int separatrix;
+} phd_top_starts_record;
+
+static inline phd_top_starts_record phd_make_top_starts_record(phd_pair root_A, phd_pair root_B, phd_pair alpha,
+    phd_pair beta, int permanent, int separatrix)
+{
+    phd_top_starts_record all;
+    all.root_A = root_A; all.root_B = root_B; all.alpha = alpha; all.beta = beta; all.permanent = permanent;
+    all.separatrix = separatrix;
+    return all;
+}
+
+/* Return p² at the start of the sum of α; first says that it takes the form that starts from Z. */
+static inline phd_pair phd_top_start_of_alpha(int first, phd_pair a, phd_pair z_plus, phd_pair t1, phd_pair t2)
+{
+    return first ? z_plus : phd_divide(phd_multiply(a, t2), first ? PHD_TOP_ONE : t1);
+}
+
+/* Return p² of the sum of β. Where c = 0 the factor of the sum vanishes, and p² must only not be zero. */
+static inline phd_pair phd_top_start_of_beta(int first, phd_pair c, phd_pair a, phd_pair b, phd_pair z_minus,
+    phd_pair s1, phd_pair s2)
+{
+    const phd_pair other = phd_divide(phd_multiply(s1, b), first ? PHD_TOP_ONE : s2);
+    return first ? (c.hi == 0.0 ? a : z_minus) : other;
+}
+
+/* Return cG/(4Z) Σ in the first form, |c|/(2 near) [1 − d/(2 far) Σ] − ϖ in the second. */
+static inline phd_pair phd_top_drift(int first, phd_pair c, phd_pair g, phd_pair z, phd_pair near, phd_pair far,
+    phd_pair d, phd_pair nutation, phd_pair total)
+{
+    const int idle = c.hi == 0.0;
+    const phd_pair ratio = phd_divide(first ? phd_multiply(c, g) : c, idle ? PHD_TOP_ONE : first ? z : near);
+    const phd_pair share = phd_subtract(PHD_TOP_ONE, phd_scale(phd_multiply(phd_divide(d, far), total), 0.5));
+    return first
+        ? phd_scale(phd_multiply(ratio, total), 0.25)
+        : phd_subtract(phd_multiply(phd_scale(ratio, 0.5), share), nutation);
+}
+
+/* Return ν I1, the spin that I3 ≠ I1 adds, by τ. */
+static inline phd_pair phd_top_spin(double i1, double i3, double axial)
+{
+    return phd_divide(phd_multiply_float(phd_two_sum(i1, -i3), axial), phd_make_pair(i3, 0.0));
+}
+
+/* Return a rate by τ as turns per time. */
+static inline phd_pair phd_top_turns_per_time(phd_pair rate, double i1, double rate_scale)
+{
+    const phd_pair inverse = phd_divide(PHD_INVERSE_TWO_PI, phd_make_pair(i1, 0.0));
+    return phd_multiply(rate, phd_scale(inverse, rate_scale));
+}
+
+/* Return the rate of x/2K [half periods per time]. */
+static inline phd_pair phd_top_half_periods(phd_pair nutation, double i1, double rate_scale)
+{
+    return phd_divide(phd_scale(nutation, rate_scale), phd_multiply_float(PHD_PI, i1));
+}
+
+/* Return K and πK/K', of the nome of the smaller parameter. */
+static inline phd_two_pairs phd_top_periods(phd_pair half_root, phd_pair nutation, double nome)
+{
+    const phd_pair quarter = phd_divide(phd_scale(phd_multiply(half_root, PHD_PI), 0.5), nutation);
+    return phd_make_two_pairs(quarter, phd_by_theta(phd_scale(quarter, 2.0), nome));
+}
+
+static inline int phd_top_first_alpha(const phd_top_turning_points_record *points)
+{
+    return points->Z_plus.hi <= 2.0 * points->A.hi;
+}
+
+static inline int phd_top_first_beta(const phd_top_reduction_record *top, const phd_top_turning_points_record *points)
+{
+    return phd_multiply(top->G, points->s2).hi <= points->Z_minus.hi;
+}
+
+/* Return what the means start from. */
+static inline phd_top_starts_record phd_top_starts_of(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points)
+{
+    const double a = top->momentum.at[2];
+    const int vertical = top->s0.hi == 0.0 || top->t0.hi == 0.0;
+    const int permanent = top->w2.hi == 0.0 && (vertical || (top->G.hi == 0.0 && a == 0.0));
+    const int separatrix = !(points->B.hi > 0.0) && !permanent;
+    const int idle = permanent || separatrix;
+    const phd_pair one = PHD_TOP_ONE;
+    const phd_pair alpha = phd_top_start_of_alpha(phd_top_first_alpha(points), points->A, points->Z_plus, points->t1,
+        points->t2);
+    const int first = phd_top_first_beta(top, points);
+    const phd_pair beta = phd_top_start_of_beta(first, top->c, points->A, points->B, points->Z_minus, points->s1,
+        points->s2);
+    return phd_make_top_starts_record(idle ? one : phd_root_or_zero(points->A),
+        idle ? one : phd_root_or_zero(points->B), idle ? one : alpha, idle ? one : beta, permanent, separatrix);
+}
+
+/* Return the frequencies of a top as its displacement is scaled, of the mean and the third-kind sums. */
+static inline phd_top_frequencies_record phd_top_frequencies_of(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points, const phd_top_starts_record *start, phd_pair mean,
+    phd_pair total_alpha, phd_pair total_beta)
+{
+    const phd_pair nutation = phd_scale(mean, 0.5);
+    const int separatrix = start->separatrix;
+    const double sign_alpha = top->c_plus.hi >= 0.0 ? 1.0 : -1.0;
+    const double sign_beta = top->c.hi >= 0.0 ? 1.0 : -1.0;
+    const phd_pair c_plus = phd_scale(top->c_plus, sign_alpha);
+    const phd_pair c = phd_scale(top->c, sign_beta);
+    const int first = phd_top_first_beta(top, points);
+    phd_pair alpha = phd_top_drift(phd_top_first_alpha(points), c_plus, top->G, points->Z_plus, points->t1, points->t2,
+        points->d, nutation, total_alpha);
+    phd_pair beta = phd_top_drift(first, c, top->G, points->Z_minus, points->s2, points->s1, points->d, nutation,
+        total_beta);
+    alpha = phd_scale(separatrix ? phd_scale(c_plus, 0.25) : alpha, sign_alpha);
+    beta = phd_scale(separatrix ? PHD_TOP_ZERO : beta, first ? -sign_beta : sign_beta);
+    const int steady = !(points->d.hi > 0.0 || start->permanent || separatrix);
+    return phd_make_top_frequencies_record(phd_scale(phd_root_or_zero(points->A), 0.5),
+        separatrix ? PHD_TOP_ZERO : nutation, alpha, beta, sign_alpha, sign_beta,
+        phd_top_spin(top->moments.hi, top->moments.lo, top->momentum.at[2]), start->permanent, separatrix, steady);
+}
+
+/* Return the x = W τ after which the displacement of a top that leaves the vertical has the lifted one's size. */
+static inline phd_pair phd_top_climb(const phd_top_reduction_record *top)
+{
+    return phd_multiply_float(PHD_LN2, phd_top_leaves(top) ? top->lift : 0.0);
+}
+
+/* Return the frequencies of tops that leave the vertical from those of the lifted ones.
+
+   The displacement grows and falls as e^{±x}, so K = πW/2ϖ is longer by climb. During it α turns by c'/4 and
+   β not at all, so the turns of a nutation that are beyond that stay unchanged and their mean rates shrink as ϖ
+   does. */
+static inline phd_top_frequencies_record phd_top_lingering(const phd_top_reduction_record *top,
+    const phd_top_frequencies_record *rates)
+{
+    const phd_pair W = rates->half_root;
+    const phd_pair c_plus = phd_scale(top->c_plus, 0.25);
+    const phd_pair one = PHD_TOP_ONE;
+    const phd_pair pi = PHD_PI;
+    const int lingers = phd_top_leaves(top);
+    /* climb/K */
+    const phd_pair longer = phd_scale(phd_divide(phd_multiply(phd_top_climb(top), rates->nutation),
+            phd_multiply(pi, W)), 2.0);
+    const phd_pair share = phd_divide(one, phd_add(one, longer));
+    const phd_pair alpha = phd_add(c_plus, phd_multiply(phd_subtract(rates->alpha, c_plus), share));
+    return phd_make_top_frequencies_record(W, lingers ? phd_multiply(rates->nutation, share) : rates->nutation,
+        lingers ? alpha : rates->alpha, lingers ? phd_multiply(rates->beta, share) : rates->beta, rates->sign_alpha,
+        rates->sign_beta, rates->spin, rates->permanent, rates->separatrix, rates->steady);
+}
+
+/* Return the frequencies of a reduced top. */
+static inline phd_top_frequencies_record phd_top_frequencies(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points)
+{
+    const phd_top_starts_record start = phd_top_starts_of(top, points);
+    const phd_two_pairs of_third_kind_mean = phd_third_kind_mean(start.root_A, start.root_B, start.alpha);
+    const phd_pair mean = of_third_kind_mean.at[0], total_alpha = of_third_kind_mean.at[1];
+    const phd_two_pairs of_third_kind_mean_2 = phd_third_kind_mean(start.root_A, start.root_B, start.beta);
+    const phd_pair total_beta = of_third_kind_mean_2.at[1];
+    const phd_top_frequencies_record of_frequencies_of = phd_top_frequencies_of(top, points, &start, mean, total_alpha,
+        total_beta);
+    return phd_top_lingering(top, &of_frequencies_of);
+}
+
+/* Return the rates of the phases of α and β [turns per time], the spin that I3 ≠ I1 adds included. */
+static inline phd_two_pairs phd_top_phase_rates(const phd_top_reduction_record *top,
+    const phd_top_frequencies_record *rates)
+{
+    const phd_pair half = phd_scale(rates->spin, 0.5);
+    const double i1 = top->moments.hi, i3 = top->moments.lo;
+    const phd_pair own = phd_divide(phd_two_product(0.5 * top->momentum.at[2], i1), phd_make_pair(i3, 0.0));
+    const phd_pair alpha = rates->permanent ? own : phd_add(rates->alpha, half);
+    const phd_pair beta = rates->permanent ? phd_make_pair(-own.hi, -own.lo) : phd_subtract(rates->beta, half);
+    return phd_make_two_pairs(phd_top_turns_per_time(alpha, i1, top->rate_scale),
+        phd_top_turns_per_time(beta, i1, top->rate_scale));
+}
+
+static const phd_four PHD_TOP_NO_TERMS = {{0.0, 0.0, 0.0, 0.0}};
+/* Elliptic integrals of the first kind. */
+typedef struct {
+    double v_alpha; /* distances of α's and β's poles from the real axis; infinite where the tilt stays */
+    double v_beta;
+    double w_alpha; /* K' − v, of the full form */
+    double w_beta;
+    phd_pair x0; /* distance of the start from the lowest place */
+} phd_top_integrals_record;
+
+static inline phd_top_integrals_record phd_make_top_integrals_record(double v_alpha, double v_beta, double w_alpha,
+    double w_beta, phd_pair x0)
+{
+    phd_top_integrals_record all;
+    all.v_alpha = v_alpha; all.v_beta = v_beta; all.w_alpha = w_alpha; all.w_beta = w_beta; all.x0 = x0;
+    return all;
+}
+
+/* The modulus and the places of start and poles in the lattice. */
+typedef struct {
     int full;
-    double epoch, fastest;
-    phd_rate first, second, third; /* of the phases of alpha and beta, and of the argument */
-    phd_pair start;
-    double a_up[4], a_down[4], b_up[4], b_down[4]; /* full: sums and gaps; complementary: sines and cosines, cosines and sines */
-    double constant, q, decay_high, decay_low, turns_a, turns_b, periodic, sign_a, sign_b;
-    double by_argument, by_phase, phase[4], axial, reversed;
-} polhode_top;
+    double q; /* nome of the smaller parameter */
+    double theta3;
+    double y_alpha; /* imaginary distance of the poles, times π/2K (full) or π/2K' */
+    double y_beta;
+    double w_alpha; /* full: the like of K' − v */
+    double w_beta;
+    phd_pair x0;
+} phd_top_arguments_record;
+
+static inline phd_top_arguments_record phd_make_top_arguments_record(int full, double q, double theta3, double y_alpha,
+    double y_beta, double w_alpha, double w_beta, phd_pair x0)
+{
+    phd_top_arguments_record all;
+    all.full = full; all.q = q; all.theta3 = theta3; all.y_alpha = y_alpha; all.y_beta = y_beta; all.w_alpha = w_alpha;
+    all.w_beta = w_beta; all.x0 = x0;
+    return all;
+}
+
+/* A reduced top with all that its motion is made from. */
+typedef struct {
+    phd_top_reduction_record top;
+    phd_top_turning_points_record points;
+    phd_top_frequencies_record rates;
+    phd_top_arguments_record at;
+    double axial; /* L3 as given */
+} phd_top_given_record;
+
+static inline phd_top_given_record phd_make_top_given_record(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points, const phd_top_frequencies_record *rates,
+    const phd_top_arguments_record *at, double axial)
+{
+    phd_top_given_record all;
+    all.top = *top; all.points = *points; all.rates = *rates; all.at = *at; all.axial = axial;
+    return all;
+}
 
 typedef struct {
-    double I1, I3, L[3], q[4], reversed, momentum_scale, rate_scale;
-    int lift, upright, leaves; /* L and q have a tiny displacement from the vertical scaled up by 2^lift */
-    phd_pair size, G, s0, t0, u0, p, c, c_plus, twist, F, D, w2, lean;
-} phd_top;
+    phd_three first;
+    phd_three second;
+    phd_three third;
+    phd_pair fourth;
+} phd_three_threes_pair;
 
-typedef struct { phd_pair from_lower, from_upper, d, s1, s2, t1, t2, A, B, Y, Z_minus, Z_plus; } phd_turning;
+static inline phd_three_threes_pair phd_make_three_threes_pair(phd_three first, phd_three second, phd_three third,
+    phd_pair fourth)
+{
+    phd_three_threes_pair all;
+    all.first = first; all.second = second; all.third = third; all.fourth = fourth;
+    return all;
+}
 
 typedef struct {
-    phd_pair half_root, nutation, alpha, beta, spin;
-    double sign_alpha, sign_beta;
-    int permanent, separatrix, steady;
-} phd_top_rates;
+    phd_six first;
+    phd_pair second;
+    phd_pair third;
+} phd_six_two_pairs;
 
-typedef struct { int full; double q, theta3, y_alpha, y_beta, r_alpha, r_beta; phd_pair x0; } phd_lattice;
+static inline phd_six_two_pairs phd_make_six_two_pairs(phd_six first, phd_pair second, phd_pair third)
+{
+    phd_six_two_pairs all;
+    all.first = first; all.second = second; all.third = third;
+    return all;
+}
+
+/* What of a Motion depends on rates and places. */
+typedef struct {
+    phd_three_threes_pair rates; /* its first to start */
+    phd_six_two_pairs places; /* its nome to rates */
+    phd_pair linear; /* derivatives by τ of the phases of α and β that evaluation adds to A and B, spin aside */
+    double turn; /* dz/dτ or dx'/dτ */
+} phd_top_timing_record;
+
+static inline phd_top_timing_record phd_make_top_timing_record(phd_three_threes_pair rates, phd_six_two_pairs places,
+    phd_pair linear, double turn)
+{
+    phd_top_timing_record all;
+    all.rates = rates; all.places = places; all.linear = linear; all.turn = turn;
+    return all;
+}
+
+/* Return whether the motion takes the full form, m ≤ ½, if it nutates. */
+static inline int phd_top_is_full(const phd_top_reduction_record *top, const phd_top_turning_points_record *points)
+{
+    /* m = (A − B)/A = G (u2 − u1)/A and 1 − m = B/A */
+    return top->G.hi * points->d.hi <= points->B.hi;
+}
+
+/* Return modulus and places, of the integrals. */
+static inline phd_top_arguments_record phd_top_arguments(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points, const phd_top_frequencies_record *rates,
+    const phd_top_integrals_record *integrals)
+{
+    const double m = top->G.hi * points->d.hi / points->A.hi;
+    const double m1 = rates->separatrix ? 0.0 : points->B.hi / points->A.hi;
+    const int full = rates->permanent || (phd_top_is_full(top, points) && !rates->separatrix);
+    const double small = rates->permanent ? 0.0 : full ? m : m1;
+    const double q = small * phd_nome_per_parameter(small, sqrt(1.0 - small));
+    const double q4 = q * q * (q * q);
+    const double theta3 = 1.0 + 2.0 * (q + q4 + q4 * q4 * q);
+    /* π/2K of the smaller quarter period (DLMF 22.2.2) */
+    const double by = 1.0 / (theta3 * theta3);
+    const phd_pair x0 = phd_scale(phd_add(integrals->x0, phd_top_climb(top)), top->p.hi >= 0.0 ? 1.0 : -1.0);
+    return phd_make_top_arguments_record(full, q, theta3, integrals->v_alpha * by, integrals->v_beta * by,
+        integrals->w_alpha * by, integrals->w_beta * by, x0);
+}
+
+typedef struct { phd_four at[2]; } phd_two_fours;
+
+static inline phd_two_fours phd_make_two_fours(phd_four x0, phd_four x1)
+{
+    phd_two_fours all;
+    all.at[0] = x0; all.at[1] = x1;
+    return all;
+}
+
+/* Return sums and differences of the coefficients of e^{±ikz}, k = 1, 3, 5, 7. */
+static inline phd_two_fours phd_top_full_terms(double size, double h, double q, double r, double alternating)
+{
+    double w1 = q * r;
+    double w2 = q * q * r;
+    double w3 = q * q * q * r;
+    w2 = w2 * w2;
+    w3 = w3 * w3 * w3;
+    const double h3 = h * h * h;
+    const double h5 = h3 * h * h;
+    const double h7 = h3 * h3 * h;
+    size = size / (w3 * (1.0 + h7) + w2 * (1.0 + h5) + w1 * (1.0 + h3) + (1.0 + h));
+    w1 = alternating * size * w1;
+    w2 = size * w2;
+    w3 = alternating * size * w3;
+    return phd_make_two_fours(phd_make_four(size * (1.0 + h), w1 * (1.0 + h3), w2 * (1.0 + h5), w3 * (1.0 + h7)),
+        phd_make_four(size * (1.0 - h), w1 * (1.0 - h3), w2 * (1.0 - h5), w3 * (1.0 - h7)));
+}
+
+/* Return √t θ3 and √s θ4. */
+static inline phd_pair phd_top_full_sizes(double root_t, double root_s, double q, double theta3)
+{
+    const double q4 = q * q * (q * q);
+    return phd_make_pair(root_t * theta3, root_s * (1.0 - 2.0 * (q - q4 + q4 * q4 * q)));
+}
+
+/* Return cos ky and sin ky for k = 1 to 4 of 0 ≤ y ≤ π. */
+static inline phd_two_fours phd_top_multiples(double y)
+{
+    const phd_pair of_sine_cosine = phd_sine_cosine(y * (0.5 / 3.141592653589793));
+    const double s1 = of_sine_cosine.hi, c1 = of_sine_cosine.lo;
+    const double s2 = 2.0 * s1 * c1;
+    const double c2 = 1.0 - 2.0 * s1 * s1;
+    return phd_make_two_fours(phd_make_four(c1, c2, c2 * c1 - s2 * s1, 1.0 - 2.0 * s2 * s2),
+        phd_make_four(s1, s2, s2 * c1 + c2 * s1, 2.0 * s2 * c2));
+}
+
+typedef struct {
+    phd_four first;
+    phd_four second;
+    phd_four third;
+    phd_four fourth;
+    double fifth;
+} phd_four_fours_number;
+
+static inline phd_four_fours_number phd_make_four_fours_number(phd_four first, phd_four second, phd_four third,
+    phd_four fourth, double fifth)
+{
+    phd_four_fours_number all;
+    all.first = first; all.second = second; all.third = third; all.fourth = fourth; all.fifth = fifth;
+    return all;
+}
+
+/* Return A's factors of sin ky and cos ky, k = 1, 3, 5, 7, B's of cos and sin of 2, 4, 6, 8 y, and its constant. */
+static inline phd_four_fours_number phd_top_complementary_series(double root_t, double root_s, double q, double theta3,
+    double y_alpha, double y_beta)
+{
+    const double q2 = q * q;
+    const double q4 = q2 * q2;
+    const double q6 = q2 * q2 * q2;
+    const double q9 = q6 * q2 * q;
+    const phd_two_fours of_multiples = phd_top_multiples(y_alpha);
+    phd_four c = of_multiples.at[0];
+    phd_four s = of_multiples.at[1];
+    double theta4 = 1.0 - 2.0 * (q * c.at[1] - q4 * c.at[3] + q9 * (2.0 * c.at[2] * c.at[2] - 1.0));
+    double size = root_t * theta3 / theta4;
+    const double c5 = c.at[3] * c.at[0] - s.at[3] * s.at[0];
+    const double s5 = s.at[3] * c.at[0] + c.at[3] * s.at[0];
+    const double c7 = c.at[3] * c.at[2] - s.at[3] * s.at[2];
+    const double s7 = s.at[3] * c.at[2] + c.at[3] * s.at[2];
+    const phd_four a_sine = phd_make_four(size * s.at[0], -size * s.at[2], size * s5, -size * s7);
+    const phd_four a_cosine = phd_make_four(size * c.at[0], -size * c.at[2], size * c5, -size * c7);
+    const phd_two_fours of_multiples_2 = phd_top_multiples(2.0 * y_beta);
+    c = of_multiples_2.at[0];
+    s = of_multiples_2.at[1];
+    theta4 = 1.0 - 2.0 * (q * c.at[0] - q4 * c.at[1] + q9 * c.at[2]);
+    size = root_s * (1.0 + q2 + q6 + q6 * q6) / theta4;
+    return phd_make_four_fours_number(a_sine, a_cosine,
+        phd_make_four(-size * c.at[0], size * c.at[1], -size * c.at[2], size * c.at[3]),
+        phd_make_four(-size * s.at[0], size * s.at[1], -size * s.at[2], size * s.at[3]), size);
+}
+
+/* Return √(t/2) and √(s/2) at the given size of the displacement, where that stays as small. */
+static inline phd_pair phd_top_sizes(const phd_top_reduction_record *top, phd_pair t, phd_pair s)
+{
+    const double down = phd_times_power(1.0, -(phd_top_leaves(top) ? 0.0 : top->lift));
+    const int upright = phd_top_is_upright(top);
+    const double root_t = sqrt(0.5 * t.hi);
+    const double root_s = sqrt(0.5 * s.hi);
+    return phd_make_pair(root_t * (upright ? 1.0 : down), root_s * (upright ? down : 1.0));
+}
+
+/* Return q e^{2y}, accurate where y is far out, and e^{−2y}, of α and of β. */
+static inline phd_four phd_top_tails(const phd_top_arguments_record *at)
+{
+    return phd_make_four(exp(-2.0 * at->w_alpha), exp(-2.0 * at->y_alpha), exp(-2.0 * at->w_beta),
+        exp(-2.0 * at->y_beta));
+}
+
+/* Return sums and differences of the coefficients of e^{±ikz}, k = 1, 3, 5, 7, in A and in B. */
+static inline phd_four_fours_number phd_top_full_series(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points, const phd_top_arguments_record *at, phd_four tail)
+{
+    const phd_pair of_sizes = phd_top_sizes(top, points->t2, points->s1);
+    const double root_t = of_sizes.hi, root_s = of_sizes.lo;
+    const phd_pair of_full_sizes = phd_top_full_sizes(root_t, root_s, at->q, at->theta3);
+    const double of_alpha = of_full_sizes.hi, of_beta = of_full_sizes.lo;
+    const int some = at->q > 0.0;
+    const phd_two_fours of_full_terms = phd_top_full_terms(of_alpha, tail.at[1], at->q, some ? tail.at[0] : 0.0, -1.0);
+    const phd_four a_sum = of_full_terms.at[0], a_gap = of_full_terms.at[1];
+    const phd_two_fours of_full_terms_2 = phd_top_full_terms(of_beta, tail.at[3], at->q, some ? tail.at[2] : 0.0, 1.0);
+    const phd_four b_sum = of_full_terms_2.at[0], b_gap = of_full_terms_2.at[1];
+    return phd_make_four_fours_number(a_sum, a_gap, b_sum, b_gap, 0.0);
+}
+
+static inline phd_four_fours_number phd_top_full(const phd_top_given_record *given)
+{
+    return phd_top_full_series(&given->top, &given->points, &given->at, phd_top_tails(&given->at));
+}
+
+/* Return the series of a permanent top, which has one of α, β, or at rest both, as it started. */
+static inline phd_four_fours_number phd_top_standing(const phd_top_given_record *given)
+{
+    /* A = |α| sin z and B = i |β| sin z at z = π/2 */
+    const phd_pair of_sizes = phd_top_sizes(&given->top, given->top.t0, given->top.s0);
+    const double root_t = of_sizes.hi, root_s = of_sizes.lo;
+    return phd_make_four_fours_number(phd_make_four(root_t, 0.0, 0.0, 0.0), PHD_TOP_NO_TERMS, PHD_TOP_NO_TERMS,
+        phd_make_four(root_s, 0.0, 0.0, 0.0), 0.0);
+}
+
+static inline phd_four_fours_number phd_top_of_full_form(const phd_top_given_record *given)
+{
+    return given->rates.permanent ? phd_top_standing(given) : phd_top_full(given);
+}
+
+/* Return the series of the complementary form. */
+static inline phd_four_fours_number phd_top_complementary(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points, const phd_top_arguments_record *at)
+{
+    const phd_pair of_sizes = phd_top_sizes(top, points->t2, points->s1);
+    const double root_t = of_sizes.hi, root_s = of_sizes.lo;
+    return phd_top_complementary_series(root_t, root_s, at->q, at->theta3, at->y_alpha, at->y_beta);
+}
+
+static inline phd_four_fours_number phd_top_of_complementary_form(const phd_top_given_record *given)
+{
+    return phd_top_complementary(&given->top, &given->points, &given->at);
+}
+
+/* Return cos and sin of the phase that turns A or B at the epoch into the given α or β.
+
+   Where one of them vanishes its own phase says nothing; its derivative then does, so both are used. */
+static inline phd_pair phd_top_constant_phase(double r, double i, double dr, double di, double turns, double rate,
+    phd_pair component, phd_pair slope, double norm, double drop, double turn, double size)
+{
+    r = r / norm;
+    i = i / norm;
+    const double sr = turn * (dr / norm - r * drop) - rate * i;
+    const double si = turn * (di / norm - i * drop) + rate * r;
+    const double gr = component.hi, gi = component.lo;
+    const double er = slope.hi, ei = slope.lo;
+    double real = r * gr + i * gi + (sr * er + si * ei) / size;
+    double imaginary = r * gi - i * gr + (sr * ei - si * er) / size;
+    const phd_pair of_sine_cosine = phd_sine_cosine(turns - phd_whole(turns));
+    const double s = of_sine_cosine.hi, c = of_sine_cosine.lo;
+    const phd_pair of_real_imaginary = phd_make_pair(real * c + imaginary * s, imaginary * c - real * s);
+    real = of_real_imaginary.hi;
+    imaginary = of_real_imaginary.lo;
+    const double length = sqrt(real * real + imaginary * imaginary);
+    const int some = length > 0.0;
+    const double safe = some ? length : 1.0;
+    return phd_make_pair(some ? real / safe : 1.0, some ? imaginary / safe : 0.0);
+}
+
+/* Return cos and sin of the phases that turn A and B at the epoch into the given α and β.
+
+   Args:
+       quaternion, norm2: at the epoch, and its |q|².
+       momentum: at the epoch.
+       size: |L|² + G, by which derivatives count.
+       sums: at the epoch.
+       linear: derivatives by τ of the phases that evaluation adds to A and B.
+       turn: dz/dτ or dx'/dτ. */
+static inline phd_four phd_top_constant_phases(phd_four quaternion, phd_pair norm2, phd_three momentum, double size,
+    phd_ten sums, phd_pair linear, double turn)
+{
+    const double x = momentum.at[0], y = momentum.at[1], z = momentum.at[2];
+    const phd_pair length = phd_root(norm2);
+    const double q0 = phd_divide(phd_make_pair(quaternion.at[0], 0.0), length).hi;
+    const double q1 = phd_divide(phd_make_pair(quaternion.at[1], 0.0), length).hi;
+    const double q2 = phd_divide(phd_make_pair(quaternion.at[2], 0.0), length).hi;
+    const double q3 = phd_divide(phd_make_pair(quaternion.at[3], 0.0), length).hi;
+    /* 2α' = i a α − w̄ β, 2β' = w α − i a β */
+    const phd_pair a = phd_make_pair(0.5 * (-z * q3 - (x * q1 + y * q2)), 0.5 * (z * q0 - (x * q2 - y * q1)));
+    const phd_pair b = phd_make_pair(0.5 * (x * q0 - y * q3 + z * q2), 0.5 * (x * q3 + y * q0 - z * q1));
+    const double ar = sums.at[0], ai = sums.at[1], br = sums.at[2], bi = sums.at[3], dar = sums.at[4], dai = sums.at[5],
+        dbr = sums.at[6], dbi = sums.at[7], turns_a = sums.at[8], turns_b = sums.at[9];
+    const double length2 = ar * ar + ai * ai + (br * br + bi * bi);
+    const double norm = sqrt(length2);
+    const double drop = (ar * dar + ai * dai + (br * dbr + bi * dbi)) / length2;
+    const phd_pair of_constant_phase = phd_top_constant_phase(ar, ai, dar, dai, turns_a, linear.hi,
+        phd_make_pair(q0, q3), a, norm, drop, turn, size);
+    const double c0 = of_constant_phase.hi, s0 = of_constant_phase.lo;
+    const phd_pair of_constant_phase_2 = phd_top_constant_phase(br, bi, dbr, dbi, turns_b, linear.lo,
+        phd_make_pair(q1, q2), b, norm, drop, turn, size);
+    const double c1 = of_constant_phase_2.hi, s1 = of_constant_phase_2.lo;
+    return phd_make_four(c0, s0, c1, s1);
+}
+
+/* Return the constant phases, of the sums at the epoch. */
+static inline phd_four phd_top_phases_of(const phd_top_reduction_record *top, const phd_top_timing_record *timing,
+    phd_ten sums)
+{
+    const double ar = sums.at[0], ai = sums.at[1], br = sums.at[2], bi = sums.at[3], dar = sums.at[4], dai = sums.at[5],
+        dbr = sums.at[6], dbi = sums.at[7], turns_a = sums.at[8], turns_b = sums.at[9];
+    const double up = phd_times_power(1.0, top->lift);
+    const int upright = phd_top_is_upright(top);
+    const double a = upright ? 1.0 : up;
+    const double b = upright ? up : 1.0;
+    const double x = top->momentum.at[0], y = top->momentum.at[1], z = top->momentum.at[2];
+    const double size = x * x + y * y + (z * z + top->G.hi);
+    const phd_ten lifted = phd_make_ten(ar * a, ai * a, br * b, bi * b, dar * a, dai * a, dbr * b, dbi * b, turns_a,
+        turns_b);
+    return phd_top_constant_phases(top->quaternion, top->size, top->momentum, size > 0.0 ? size : 1.0, lifted,
+        timing->linear, timing->turn);
+}
+
+static inline phd_three phd_top_in_halves(phd_pair rate)
+{
+    const phd_pair of_halves = phd_halves(rate.hi);
+    const double high = of_halves.hi, low = of_halves.lo;
+    return phd_make_three(high, low, rate.lo);
+}
+
+/* Return what of the motion depends on rates and places. */
+static inline phd_top_timing_record phd_top_timing_of(const phd_top_reduction_record *top,
+    const phd_top_frequencies_record *rates, const phd_top_arguments_record *at)
+{
+    const double i1 = top->moments.hi;
+    const int permanent = rates->permanent;
+    const int separatrix = rates->separatrix;
+    const int full = at->full;
+    const phd_two_pairs of_phase_rates = phd_top_phase_rates(top, rates);
+    const phd_pair alpha = of_phase_rates.at[0], beta = of_phase_rates.at[1];
+    const phd_pair half = phd_top_half_periods(rates->nutation, i1, top->rate_scale);
+    const phd_pair saddle = phd_divide(phd_scale(rates->half_root, top->rate_scale), phd_make_pair(i1, 0.0));
+    const phd_pair third = permanent ? PHD_TOP_ZERO : full ? phd_scale(half, 0.5) : separatrix ? saddle : half;
+    const phd_two_pairs of_periods = phd_top_periods(rates->half_root, rates->nutation, at->q);
+    phd_pair period = of_periods.at[1];
+    const phd_pair quarter = of_periods.at[0];
+    const phd_pair fraction = phd_scale(phd_divide(at->x0, quarter), 0.5);
+    phd_pair start = full ? phd_scale(fraction, 0.5) : separatrix ? at->x0 : fraction;
+    start = permanent ? phd_make_pair(0.25, 0.0) : start;
+    period = separatrix ? PHD_TOP_ONE : period;
+    const phd_pair of_halves = phd_halves(period.hi);
+    const double upper = of_halves.hi, lower = of_halves.lo;
+    const double ya = full || separatrix ? 0.0 : at->y_alpha;
+    const double yb = full || separatrix ? 0.0 : at->y_beta;
+    const double carried = rates->nutation.hi * (2.0 / 3.141592653589793);
+    const double sa = rates->sign_alpha;
+    const double sb = rates->sign_beta;
+    double turn = full ? rates->nutation.hi : rates->half_root.hi / (at->theta3 * at->theta3);
+    const double linear_a = permanent ? 0.0 : rates->alpha.hi + sa * ya * carried;
+    const double linear_b = permanent ? 0.0 : rates->beta.hi + sb * yb * carried;
+    turn = permanent ? 0.0 : turn;
+    const double size = top->momentum_scale;
+    return phd_make_top_timing_record(phd_make_three_threes_pair(phd_top_in_halves(alpha), phd_top_in_halves(beta),
+            phd_top_in_halves(third), start),
+        phd_make_six_two_pairs(phd_make_six(at->q, upper, lower + period.lo, ya / 3.141592653589793,
+                yb / 3.141592653589793, separatrix ? 0.0 : 1.0),
+            phd_make_pair(permanent ? 1.0 : sa, permanent ? 1.0 : sb),
+            phd_make_pair(2.0 * turn * size, 2.0 * (linear_a + linear_b) * size)), phd_make_pair(linear_a, linear_b),
+        turn);
+}
+
+static inline phd_top_motion_record phd_top_motion(const phd_top_given_record *given,
+    const phd_top_timing_record *timing, phd_four_fours_number series, phd_four phases)
+{
+    const phd_three first = timing->rates.first, second = timing->rates.second, third = timing->rates.third;
+    const phd_pair start = timing->rates.fourth;
+    const phd_six nome = timing->places.first;
+    const phd_pair signs = timing->places.second, rates = timing->places.third;
+    const phd_four a_sum = series.first, a_gap = series.second, b_sum = series.third, b_gap = series.fourth;
+    const double constant = series.fifth;
+    return phd_make_top_motion_record(given->at.full ? 1.0 : 0.0, first, second, third, start, a_sum, a_gap, b_sum,
+        b_gap, constant, nome, signs, rates, phases, given->axial, given->top.reversed ? -1.0 : 1.0);
+}
+
+typedef struct {
+    phd_top_motion_record first;
+    phd_top_timing_record second;
+} phd_top_motion_record_top_timing_record;
+
+static inline phd_top_motion_record_top_timing_record
+phd_make_top_motion_record_top_timing_record(const phd_top_motion_record *first, const phd_top_timing_record *second)
+{
+    phd_top_motion_record_top_timing_record all;
+    all.first = *first; all.second = *second;
+    return all;
+}
+
+/* Return the motion of a top whose constant phases are none. */
+static inline phd_top_motion_record_top_timing_record phd_top_motion_without_phases(const phd_top_given_record *given)
+{
+    const phd_top_timing_record timing = phd_top_timing_of(&given->top, &given->rates, &given->at);
+    const phd_four_fours_number series =
+        given->at.full ? phd_top_of_full_form(given) : phd_top_of_complementary_form(given);
+    const phd_top_motion_record of_motion = phd_top_motion(given, &timing, series, phd_make_four(1.0, 0.0, 1.0, 0.0));
+    return phd_make_top_motion_record_top_timing_record(&of_motion, &timing);
+}
+
+static inline phd_ten phd_top_full_start(const phd_top_motion_record *m)
+{
+    const double zero = 0.0 * m->start.hi;
+    return phd_top_full_sums(m, phd_make_three(zero, zero, zero));
+}
+
+static inline phd_ten phd_top_complementary_start(const phd_top_motion_record *m)
+{
+    const double zero = 0.0 * m->start.hi;
+    const phd_seven of_complementary_phase = phd_top_complementary_phase(m, phd_make_three(zero, zero, zero));
+    const double a = of_complementary_phase.at[0], b = of_complementary_phase.at[1], c = of_complementary_phase.at[2],
+        e = of_complementary_phase.at[3], factor = of_complementary_phase.at[4], other = of_complementary_phase.at[5],
+        other_factor = of_complementary_phase.at[6];
+    return phd_top_complementary_sums(m, a, b, c, exp(e) * factor, exp(other) * other_factor);
+}
+
+/* Return the motion, which begins at the given attitude. */
+static inline phd_top_motion_record phd_top_motion_with_phases(const phd_top_given_record *given,
+    const phd_top_motion_record *motion, const phd_top_timing_record *timing)
+{
+    const phd_ten sums = given->at.full ? phd_top_full_start(motion) : phd_top_complementary_start(motion);
+    const phd_four_fours_number series = phd_make_four_fours_number(motion->a_sum, motion->a_gap, motion->b_sum,
+        motion->b_gap, motion->constant);
+    return phd_top_motion(given, timing, series, phd_top_phases_of(&given->top, timing, sums));
+}
+
+/* Return the constants of motion of a top. */
+static inline phd_top_motion_record phd_top_motion_of(const phd_top_given_record *given)
+{
+    const phd_top_motion_record_top_timing_record of_motion_without_phases = phd_top_motion_without_phases(given);
+    const phd_top_motion_record motion = of_motion_without_phases.first;
+    const phd_top_timing_record timing = of_motion_without_phases.second;
+    return phd_top_motion_with_phases(given, &motion, &timing);
+}
+
+/* What a top's motion is like; what is infinite is inf, what is undefined NaN. */
+typedef struct {
+    /* 0 rest, 1 sleeping, 2 hanging, 3 steady, 4 free, 5 planar, 6 undulating, 7 cusp, 8 loop, 9 separatrix */
+    double regime;
+    double lowest; /* of the cosine of the tilt from the upward vertical */
+    double highest;
+    double period; /* of the nutation; of a steady top that of its smallest nutations */
+    double precession_per_period; /* azimuth gained by the axis in a period, unreduced */
+    double spin_per_period; /* the body's own turn in a period, unreduced */
+} phd_top_numbers_record;
+
+static inline phd_top_numbers_record phd_make_top_numbers_record(double regime, double lowest, double highest,
+    double period, double precession_per_period, double spin_per_period)
+{
+    phd_top_numbers_record all;
+    all.regime = regime; all.lowest = lowest; all.highest = highest; all.period = period;
+    all.precession_per_period = precession_per_period; all.spin_per_period = spin_per_period;
+    return all;
+}
+
+/* Return u from the smaller of 1 − u and 1 + u. */
+static inline double phd_top_cosine(phd_pair s, phd_pair t)
+{
+    const phd_pair one = phd_make_pair(1.0, 0.0);
+    return s.hi < t.hi ? phd_subtract(one, s).hi : phd_subtract(t, one).hi;
+}
+
+/* Signs of polynomials in the given floats decide; only the steady top needs the computed gap u2 − u1.
+
+   The azimuth is at rest where p_φ = a u; there |w|² = lean/a, which is positive inside the nutation's range. */
+static inline double phd_top_regime(const phd_top_reduction_record *top, const phd_top_frequencies_record *rates)
+{
+    const double a = top->momentum.at[2];
+    const double c = top->c.hi;
+    const double c_plus = top->c_plus.hi;
+    const double lean = top->lean.hi;
+    const double along = a < 0.0 ? -lean : lean;
+    /* the place p_φ/a is a tilt: −1 < p_φ/a < 1 */
+    const int within = c * a < 0.0 && c_plus * a > 0.0;
+    double code = within && along > 0.0 ? 8.0 : 6.0;
+    code = within && along == 0.0 ? 7.0 : code;
+    code = a == 0.0 && c == 0.0 ? 5.0 : code;
+    code = rates->steady ? 3.0 : code;
+    code = rates->separatrix ? 9.0 : code;
+    code = rates->permanent ? (top->s0.hi == 0.0 ? 1.0 : 2.0) : code;
+    code = top->G.hi == 0.0 ? 4.0 : code;
+    return a == 0.0 && rates->permanent ? 0.0 : code;
+}
+
+static inline double phd_top_by_kind(const phd_top_frequencies_record *rates, double permanent, double separatrix,
+    double periodic)
+{
+    return rates->permanent ? permanent : rates->separatrix ? separatrix : periodic;
+}
+
+/* Return the numbers of a top. */
+static inline phd_top_numbers_record phd_top_numbers(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points, const phd_top_frequencies_record *rates)
+{
+    double lower = phd_top_cosine(points->s1, points->t1);
+    double upper = phd_top_cosine(points->s2, points->t2);
+    lower = rates->permanent ? top->u0.hi : lower;
+    upper = rates->permanent ? top->u0.hi : upper;
+    const phd_pair pi = PHD_PI;
+    /* α = cos(θ/2) e^{i(φ + ψ)/2}, β = sin(θ/2) e^{i(φ − ψ)/2} up to a constant phase: φ = arg α + arg β,
+       ψ = arg α − arg β. In a period, π/ϖ by τ, each argument gains its linear part, and half a turn by its thetas */
+    const phd_pair turn_alpha = phd_add(phd_divide(rates->alpha, rates->nutation),
+        phd_make_pair(rates->sign_alpha, 0.0 * rates->sign_alpha));
+    const phd_pair turn_beta = phd_add(phd_divide(rates->beta, rates->nutation),
+        phd_make_pair(rates->sign_beta, 0.0 * rates->sign_beta));
+    const phd_pair spin = phd_divide(rates->spin, rates->nutation);
+    const double precession = phd_multiply(pi, phd_add(turn_alpha, turn_beta)).hi;
+    double own_turn = phd_multiply(pi, phd_add(phd_subtract(turn_alpha, turn_beta), spin)).hi;
+    const double period = phd_divide(phd_multiply_float(pi, top->moments.hi),
+        phd_scale(rates->nutation, top->rate_scale)).hi;
+    /* never −0 */
+    own_turn = (top->reversed ? -1.0 : 1.0) * own_turn + 0.0;
+    return phd_make_top_numbers_record(phd_top_regime(top, rates), top->reversed ? -upper : lower,
+        top->reversed ? -lower : upper, phd_top_by_kind(rates, NAN, INFINITY, period),
+        phd_top_by_kind(rates, NAN, NAN, precession), phd_top_by_kind(rates, NAN, NAN, own_turn));
+}
+
+/* from the root in single numbers; three do, two more where that was poor */
+static const int PHD_TOP_NEWTON_STEPS = 5;
+/* nine halve the exponent of the smallest ratio, the others divide the spread by four */
+static const int PHD_TOP_DUPLICATIONS = 20;
+/* of cos(⅓ acos x), 0 ≤ x ≤ 1, to 2e-4 */
+static const double PHD_TOP_BEGIN = 0.8660254;
+static const double PHD_TOP_SLOPE = 0.1642;
+static const double PHD_TOP_CURVE = -0.0302;
+/* Return the largest root of x³ + bx² + cx + d, whose roots are real, if cos 3φ is not negative; and cos 3φ. */
+static inline phd_pair phd_top_largest_root(double b, double c, double d)
+{
+    /* Viète: x = 2r cos φ − b/3 with r = √(−P/3) and cos 3φ = −Q/2r³ */
+    const double third = b / 3.0;
+    const double p = c - b * third;
+    const double q = 2.0 * (third * third) * third - third * c + d;
+    const double r = sqrt(phd_larger(-p / 3.0, 0.0));
+    const double cosine = r > 0.0 ? -0.5 * q / (r * r * r) : 1.0;
+    const double x = phd_smaller(phd_larger(cosine, 0.0), 1.0);
+    /* cos φ is a root of 4 y³ − 3 y = x */
+    double y = PHD_TOP_BEGIN + x * (PHD_TOP_SLOPE + x * PHD_TOP_CURVE);
+    y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
+    y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
+    return phd_make_pair(2.0 * r * y - third, cosine);
+}
+
+typedef struct {
+    phd_pair first;
+    phd_three_pairs second;
+} phd_pair_three_pairs;
+
+static inline phd_pair_three_pairs phd_make_pair_three_pairs(phd_pair first, phd_three_pairs second)
+{
+    phd_pair_three_pairs all;
+    all.first = first; all.second = second;
+    return all;
+}
+
+/* Return a root after a step of Newton's. */
+static inline phd_pair_three_pairs phd_top_nearer(phd_pair_three_pairs state)
+{
+    const phd_pair x = state.first;
+    const phd_three_pairs cubic = state.second;
+    const phd_pair b = cubic.at[0], c = cubic.at[1], d = cubic.at[2];
+    const phd_pair value = phd_add(phd_multiply(phd_add(phd_multiply(phd_add(x, b), x), c), x), d);
+    const phd_pair slope = phd_add(phd_multiply(phd_add(phd_add(phd_scale(x, 2.0), x), phd_scale(b, 2.0)), x), c);
+    const phd_pair change = phd_divide(value, slope);
+    const int is_finite = change.hi - change.hi == 0.0;
+    return phd_make_pair_three_pairs(is_finite ? phd_subtract(x, change) : x, cubic);
+}
+
+/* Return the turning points of a top. */
+static inline phd_top_turning_points_record phd_top_turning_points(const phd_top_reduction_record *top)
+{
+    const int weightless = !(top->G.hi > 0.0);
+    const phd_pair safe = weightless ? PHD_TOP_ONE : top->G;
+    const phd_pair p2 = phd_square(top->p);
+    const phd_pair c2 = phd_square(top->c);
+    const phd_pair_two_three_pairss of_cubics = phd_top_cubics(top->momentum.at[2], top->G,
+        phd_divide(PHD_TOP_ONE, safe), top->s0, top->t0, top->u0, top->w2, top->twist, p2, c2, top->D, top->F);
+    const phd_pair f1 = of_cubics.first;
+    const phd_three_pairs of_y = of_cubics.second, of_s = of_cubics.third;
+    const phd_pair of_largest_root = phd_top_largest_root(of_y.at[0].hi, of_y.at[1].hi, of_y.at[2].hi);
+    const double y = of_largest_root.hi, cosine = of_largest_root.lo;
+    const phd_pair of_largest_root_2 = phd_top_largest_root(of_s.at[0].hi, of_s.at[1].hi, of_s.at[2].hi);
+    const double s = of_largest_root_2.hi;
+    const int upper = cosine >= 0.0 || weightless;
+    const phd_three_pairs cubic = phd_make_three_pairs(upper ? of_y.at[0] : of_s.at[0], upper ? of_y.at[1] : of_s.at[1],
+        upper ? of_y.at[2] : of_s.at[2]);
+    phd_pair_three_pairs running = phd_make_pair_three_pairs(phd_make_pair(upper ? y : s, 0.0), cubic);
+    for (int k = 0; k < PHD_TOP_NEWTON_STEPS; k++) {
+        running = phd_top_nearer(running);
+    }
+    const phd_pair lone = running.first;
+    return phd_top_turning_points_of(upper, lone, top->G, safe, top->s0, top->t0, p2, c2, top->c_plus, top->F, f1);
+}
+
+static inline phd_three_pairs phd_top_duplicated(phd_three_pairs state)
+{
+    const phd_pair a = state.at[0], b = state.at[1], c = state.at[2];
+    const phd_pair u = phd_root_or_zero(a);
+    const phd_pair v = phd_root_or_zero(b);
+    const phd_pair w = phd_root_or_zero(c);
+    const phd_pair more = phd_add(phd_add(phd_multiply(u, v), phd_multiply(v, w)), phd_multiply(w, u));
+    return phd_make_three_pairs(phd_scale(phd_add(a, more), 0.25), phd_scale(phd_add(b, more), 0.25),
+        phd_scale(phd_add(c, more), 0.25));
+}
+
+/* Return R_F(x, y, 1) for x, y ≥ 0, not both zero. */
+static inline phd_pair phd_top_first_kind(phd_pair x, phd_pair y)
+{
+    phd_three_pairs running = phd_make_three_pairs(x, y, PHD_TOP_ONE);
+    for (int k = 0; k < PHD_TOP_DUPLICATIONS; k++) {
+        running = phd_top_duplicated(running);
+    }
+    const phd_pair a = running.at[0], b = running.at[1], c = running.at[2];
+    /* DLMF 19.36.1 in X = 1 − a/mean, …, with X + Y + Z = 0. After the steps |X| < 1e-7 even where x = 0 and y =
+       1e-300,
+       so that order 5 is enough, and the correction, below 1e-15, needs no second number */
+    const phd_pair mean = phd_divide(phd_add(phd_add(a, b), c), phd_make_pair(3.0, 0.0));
+    const double X = phd_subtract(PHD_TOP_ONE, phd_divide(a, mean)).hi;
+    const double Y = phd_subtract(PHD_TOP_ONE, phd_divide(b, mean)).hi;
+    const double Z = -X - Y;
+    const double E2 = X * Y - Z * Z;
+    const double E3 = X * Y * Z;
+    const double closing = -E2 / 10.0 + E3 / 14.0 + E2 * E2 / 24.0 - 3.0 * E2 * E3 / 44.0;
+    return phd_divide(phd_add(PHD_TOP_ONE, phd_make_pair(closing, 0.0)), phd_root(mean));
+}
+
+/* Return √factor R_F(x, y, 1), and √factor where the integral is not used. */
+static inline phd_pair phd_top_integral(int idle, phd_pair factor, phd_pair x, phd_pair y)
+{
+    const double total = x.hi + y.hi;
+    const int bad = idle || !(total > 0.0) || !(total - total == 0.0);
+    return phd_multiply(phd_root_or_zero(factor), phd_top_first_kind(bad ? PHD_TOP_ONE : x, bad ? PHD_TOP_ONE : y));
+}
+
+/* Return the distances of α's and β's poles from the real axis, what they leave of K', and that of the start. */
+static inline phd_top_integrals_record phd_top_integrals(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points, const phd_top_frequencies_record *rates)
+{
+    const phd_pair g = top->G;
+    const phd_pair d = points->d;
+    const phd_pair a = points->A;
+    const phd_pair b = points->B;
+    const phd_pair z_plus = points->Z_plus;
+    const phd_pair z_minus = points->Z_minus;
+    const phd_pair s1 = points->s1;
+    const phd_pair s2 = points->s2;
+    const phd_pair t1 = points->t1;
+    const phd_pair t2 = points->t2;
+    const int idle = rates->permanent || rates->steady;
+    double v_alpha = phd_top_integral(idle, phd_divide(t1, t2), phd_divide(d, t2),
+        phd_divide(phd_multiply(d, z_plus), phd_multiply(a, t2))).hi;
+    const phd_pair s1b = phd_multiply(s1, b);
+    double v_beta = phd_top_integral(idle, phd_divide(phd_multiply(s2, a), s1b),
+        phd_divide(phd_multiply(d, z_minus), s1b), phd_divide(d, s1)).hi;
+    const phd_pair w_alpha = phd_top_integral(idle, phd_divide(a, z_plus), phd_divide(phd_multiply(g, t1), z_plus),
+        phd_divide(phd_multiply(g, t2), z_plus));
+    const phd_pair w_beta = phd_top_integral(idle, phd_divide(z_minus, b), phd_divide(phd_multiply(g, s2), b),
+        phd_divide(phd_multiply(g, s1), a));
+    const phd_pair x0 = phd_top_integral(idle, phd_divide(points->from_lower, d), phd_divide(points->from_upper, d),
+        phd_divide(points->Y, a));
+    v_alpha = rates->separatrix ? atan2(sqrt(t1.hi), sqrt(d.hi)) : v_alpha;
+    v_beta = rates->separatrix || s2.hi == 0.0 ? 0.0 : v_beta;
+    /* where the tilt stays the pole is infinitely far */
+    v_alpha = rates->steady ? INFINITY : rates->permanent ? 0.0 : v_alpha;
+    v_beta = rates->steady ? INFINITY : rates->permanent ? 0.0 : v_beta;
+    return phd_make_top_integrals_record(v_alpha, v_beta, w_alpha.hi, w_beta.hi,
+        idle && !(d.hi > 0.0) ? PHD_TOP_ZERO : x0);
+}
+
+/* ---------------------------------------------------------------- the Lagrange top */
+
+/* An unevaluated sum of floats, exact. Shewchuk 1997. */
+typedef struct { int count; double term[64]; } phd_sum;
+
+static inline phd_sum phd_sum_of(phd_pair x) { phd_sum s; s.count = 2; s.term[0] = x.hi; s.term[1] = x.lo; return s; }
+
+static inline phd_sum phd_joined(phd_sum x, const phd_sum *y, double power_of_two)
+{
+    for (int k = 0; k < y->count; k++) x.term[x.count++] = y->term[k] * power_of_two;
+    return x;
+}
+
+static inline phd_sum phd_sum_times(const phd_sum *x, double factor)
+{
+    phd_sum s;
+    s.count = 2 * x->count;
+    for (int k = 0; k < x->count; k++) {
+        const phd_pair p = phd_two_product(x->term[k], factor);
+        s.term[2 * k] = p.hi;
+        s.term[2 * k + 1] = p.lo;
+    }
+    return s;
+}
+
+static inline phd_sum phd_sum_times_sum(const phd_sum *x, const phd_sum *y)
+{
+    phd_sum s;
+    s.count = 0;
+    for (int k = 0; k < y->count; k++) {
+        const phd_sum part = phd_sum_times(x, y->term[k]);
+        s = phd_joined(s, &part, 1.0);
+    }
+    return s;
+}
+
+/* Moves the leading part to the end; the sum stays exactly what it was. Ogita, Rump & Oishi 2005. */
+static inline void phd_sweep(phd_sum *x)
+{
+    double running = x->term[0];
+    for (int k = 1; k < x->count; k++) {
+        const phd_pair s = phd_two_sum(running, x->term[k]);
+        running = s.hi;
+        x->term[k - 1] = s.lo;
+    }
+    x->term[x->count - 1] = running;
+}
+
+/* The sum to double-double accuracy, whatever cancels, up to 2^-265. */
+static inline phd_pair phd_distil(phd_sum x)
+{
+    double rest;
+    for (int k = 0; k < 5; k++) phd_sweep(&x);
+    rest = x.term[0];
+    for (int k = 1; k < x.count - 1; k++) rest += x.term[k];
+    return phd_two_sum(x.term[x.count - 1], rest);
+}
+
+/* The sum as one of `count` floats, largest last, correct to 2^(-53 count) of its size. */
+static inline phd_sum phd_compress(phd_sum x, int count)
+{
+    if (x.count <= count) return x;
+    for (int k = 0; k <= count; k++) phd_sweep(&x);
+    for (int k = 0; k < count; k++) x.term[k] = x.term[x.count - count + k];
+    x.count = count;
+    return x;
+}
 
 /* a b + c d as a sum of floats */
 static inline phd_sum phd_two_products(double a, double b, double c, double d)
@@ -902,9 +3412,10 @@ static inline phd_pair phd_over(const phd_sum *x, phd_pair n) { return phd_divid
 
 /* The invariants, summed exactly: near the separatrix c, F and D vanish together, and what is left of them decides. `size` is
    |q|^2 of the quaternion as given: as a pair it would leave F of a planar top only 32 digits of what cancels. */
-static inline void phd_top_invariants(phd_top *t, const phd_sum *size)
+static inline void phd_top_invariants(phd_top_reduction_record *t, const phd_sum *size)
 {
-    const double L1 = t->L[0], L2 = t->L[1], L3 = t->L[2], w = t->q[0], x = t->q[1], y = t->q[2], z = t->q[3];
+    const double L1 = t->momentum.at[0], L2 = t->momentum.at[1], L3 = t->momentum.at[2];
+    const double w = t->quaternion.at[0], x = t->quaternion.at[1], y = t->quaternion.at[2], z = t->quaternion.at[3];
     const phd_sum S = phd_two_products(x, x, y, y), T = phd_two_products(w, w, z, z);
     const phd_sum real = phd_two_products(x, w, y, z), imaginary = phd_two_products(x, z, -y, w);
     const phd_sum w2 = phd_two_products(L1, L1, L2, L2), minus_L3 = phd_sum_of(phd_two_product(L3, -L3));
@@ -946,580 +3457,91 @@ static inline void phd_top_invariants(phd_top *t, const phd_sum *size)
 /* Scales a tiny displacement from the vertical up. There the motion is linear in it, and the invariants are of its square, so
    that squares of these underflow. Exactly at the threshold of sleeping, where it grows like t, it is dropped: nothing is to be
    seen of it within 1e27 radians. */
-static inline void phd_lift_top(phd_top *t)
+static inline void phd_lift_top(phd_top_reduction_record *t)
 {
-    const double cosine = fmax(fabs(t->q[0]), fabs(t->q[3])), sine = fmax(fabs(t->q[1]), fabs(t->q[2]));
-    const double displacement = fmax(fmin(cosine, sine), fmax(fabs(t->L[0]), fabs(t->L[1])));
-    const phd_pair twice = phd_scale(t->G, 2.0), square = phd_two_product(t->L[2], t->L[2]);
-    const int exponent = phd_exponent(displacement);
-    double *first, *second;
-    t->upright = cosine >= sine;
-    t->lift = 0;
-    if (!(displacement > 0.0 && exponent < -200 && t->G.hi > 0.0)) return;
-    first = &t->q[t->upright ? 1 : 0];
-    second = &t->q[t->upright ? 2 : 3];
-    if (t->upright && twice.hi == square.hi && twice.lo == square.lo) {
-        *first = *second = t->L[0] = t->L[1] = 0.0;
+    double *q = t->quaternion.at, *L = t->momentum.at;
+    const double cosine = phd_larger(fabs(q[0]), fabs(q[3])), sine = phd_larger(fabs(q[1]), fabs(q[2]));
+    const double displacement = phd_larger(phd_smaller(cosine, sine), phd_larger(fabs(L[0]), fabs(L[1])));
+    const double exponent = phd_binary_exponent(displacement);
+    const phd_pair twice = phd_scale(t->G, 2.0), square = phd_two_product(L[2], L[2]);
+    const int upright = cosine >= sine;
+    double *const displaced[4] = {&q[upright ? 1 : 0], &q[upright ? 2 : 3], &L[0], &L[1]};
+    t->lift = 0.0;
+    if (!(displacement > 0.0 && exponent < -200.0 && t->G.hi > 0.0)) return;
+    if (upright && twice.hi == square.hi && twice.lo == square.lo) {
+        for (int k = 0; k < 4; k++) *displaced[k] = 0.0;
         return;
     }
-    t->lift = -150 - exponent;
-    *first = ldexp(*first, t->lift);
-    *second = ldexp(*second, t->lift);
-    t->L[0] = ldexp(t->L[0], t->lift);
-    t->L[1] = ldexp(t->L[1], t->lift);
+    t->lift = -150.0 - exponent;
+    for (int k = 0; k < 4; k++) *displaced[k] = phd_times_power(*displaced[k], t->lift);
 }
 
-static inline phd_top phd_reduced_top(const double moments[3], double mgl, const double momentum[3], const double q[4])
+static inline phd_top_reduction_record phd_reduced_top(
+    const double moments[3], double mgl, const double momentum[3], const double q[4])
 {
-    phd_top t;
-    const int turned = mgl < 0.0, moment_exponent = phd_exponent(moments[0]);
-    const double largest = phd_largest3(momentum), weight = fabs(mgl), sign = turned ? -1.0 : 1.0;
-    int exponent = phd_exponent(largest), k;
+    phd_top_reduction_record t;
+    const int turned = mgl < 0.0;
+    const double weight = fabs(mgl), sign = turned ? -1.0 : 1.0, of_moment = phd_binary_exponent(moments[0]);
+    const double largest = phd_larger(phd_larger(fabs(momentum[0]), fabs(momentum[1])), fabs(momentum[2]));
+    double exponent = phd_binary_exponent(largest);
     phd_sum S, T, size;
     if (weight > 0.0) { /* the larger of |L| and sqrt(mgl I1), without forming a product that may overflow */
-        const int half = (int)floor((moment_exponent + phd_exponent(weight) + 1) / 2.0);
-        exponent = largest > 0.0 && exponent > half ? exponent : half;
+        const double half = floor(0.5 * (of_moment + phd_binary_exponent(weight) + 1.0));
+        exponent = largest > 0.0 ? phd_larger(exponent, half) : half;
     }
     /* a centre of mass below is one above on the reversed axis: a half turn about the first body axis */
-    t.q[0] = turned ? -q[1] : q[0];
-    t.q[1] = turned ? q[0] : q[1];
-    t.q[2] = turned ? q[3] : q[2];
-    t.q[3] = turned ? -q[2] : q[3];
-    t.I1 = ldexp(moments[0], -moment_exponent);
-    t.I3 = ldexp(moments[2], -moment_exponent);
-    for (k = 0; k < 3; k++) t.L[k] = (k ? sign : 1.0) * ldexp(momentum[k], -exponent);
-    t.reversed = sign;
-    t.momentum_scale = ldexp(1.0, exponent);
-    t.rate_scale = ldexp(1.0, exponent - moment_exponent);
-    t.G = phd_scale(phd_two_product(ldexp(ldexp(weight, moment_exponent - exponent), -exponent), t.I1), 2.0);
-    S = phd_two_products(t.q[1], t.q[1], t.q[2], t.q[2]);
-    T = phd_two_products(t.q[0], t.q[0], t.q[3], t.q[3]);
+    t.quaternion = turned ? phd_make_four(-q[1], q[0], q[3], -q[2]) : phd_make_four(q[0], q[1], q[2], q[3]);
+    t.moments = phd_make_pair(phd_times_power(moments[0], -of_moment), phd_times_power(moments[2], -of_moment));
+    for (int k = 0; k < 3; k++) t.momentum.at[k] = (k ? sign : 1.0) * phd_times_power(momentum[k], -exponent);
+    t.reversed = turned;
+    t.momentum_scale = phd_times_power(1.0, exponent);
+    t.rate_scale = phd_times_power(1.0, exponent - of_moment);
+    t.G.hi = phd_times_power(phd_times_power(weight, of_moment - exponent), -exponent);
+    t.G = phd_scale(phd_two_product(t.G.hi, t.moments.hi), 2.0);
+    S = phd_two_products(t.quaternion.at[1], t.quaternion.at[1], t.quaternion.at[2], t.quaternion.at[2]);
+    T = phd_two_products(t.quaternion.at[0], t.quaternion.at[0], t.quaternion.at[3], t.quaternion.at[3]);
     size = phd_compress(phd_joined(S, &T, 1.0), 4);
     t.size = phd_distil(size);
     phd_lift_top(&t);
     phd_top_invariants(&t, &size);
-    t.leaves = t.lift > 0 && t.upright && t.D.hi > 0.0;
     return t;
 }
 
-/* Returns the largest root of x^3 + b x^2 + c x + d, whose roots are real, and in *cosine Viete's cos 3 phi. */
-static inline double phd_largest_root(const phd_pair cubic[3], double *cosine)
+typedef enum {
+    POLHODE_TOP_REST,
+    POLHODE_TOP_SLEEPING,
+    POLHODE_TOP_HANGING,
+    POLHODE_TOP_STEADY,
+    POLHODE_TOP_FREE,
+    POLHODE_TOP_PLANAR,
+    POLHODE_TOP_UNDULATING,
+    POLHODE_TOP_CUSP,
+    POLHODE_TOP_LOOP,
+    POLHODE_TOP_SEPARATRIX
+} polhode_top_regime;
+
+typedef struct {
+    /* what the motion means: what is infinite is INFINITY, what is undefined NAN */
+    polhode_top_regime regime;
+    double energy;                /* [J], zero potential where the axis is level */
+    double lowest, highest;       /* limits of the cosine of the tilt from the upward vertical */
+    double nutation_period;       /* [s]; of a steady top that of its smallest nutations */
+    double precession_per_period; /* azimuth gained by the axis in a period, unreduced [rad] */
+    double spin_per_period;       /* the body's own turn in a period, unreduced [rad] */
+    /* what evaluation needs */
+    double epoch, fastest;
+    phd_top_motion_record motion;
+} polhode_top;
+
+static inline void phd_top_put_numbers(polhode_top *m, const phd_top_given_record *given)
 {
-    const double b = cubic[0].hi, c = cubic[1].hi, d = cubic[2].hi;
-    const double P = c - b * b / 3.0, Q = 2.0 * b * b * b / 27.0 - b * c / 3.0 + d, r = sqrt(fmax(-P / 3.0, 0.0));
-    *cosine = r > 0.0 ? fmin(fmax(-0.5 * Q / (r * r * r), -1.0), 1.0) : 1.0;
-    return 2.0 * r * cos(acos(*cosine) / 3.0) - b / 3.0;
-}
-
-static inline phd_pair phd_polished(double start, const phd_pair cubic[3])
-{
-    phd_pair x = phd_make(start, 0.0);
-    int step;
-    for (step = 0; step < 5; step++) {
-        const phd_pair inner = phd_add(phd_multiply(phd_add(x, cubic[0]), x), cubic[1]);
-        const phd_pair value = phd_add(phd_multiply(inner, x), cubic[2]);
-        const phd_pair three = phd_add(phd_add(phd_scale(x, 2.0), x), phd_scale(cubic[0], 2.0));
-        const phd_pair change = phd_divide(value, phd_add(phd_multiply(three, x), cubic[1]));
-        if (isfinite(change.hi)) x = phd_subtract(x, change);
-    }
-    return x;
-}
-
-/* x / y, and zero for x = 0 whatever y */
-static inline phd_pair phd_quotient(phd_pair x, phd_pair y) { return x.hi == 0.0 ? x : phd_divide(x, y); }
-
-/* x >= 0 and y >= 0 from x - y, x + y and x y */
-static inline void phd_larger_and_smaller(phd_pair sum, phd_pair difference, phd_pair product, phd_pair *x, phd_pair *y)
-{
-    const int positive = sum.hi >= 0.0;
-    const phd_pair larger = phd_scale(phd_add(difference, positive ? sum : phd_negate(sum)), 0.5);
-    const phd_pair smaller = larger.hi > 0.0 ? phd_quotient(product, larger) : PHD_ZERO;
-    *x = positive ? larger : smaller;
-    *y = positive ? smaller : larger;
-}
-
-/* x + y = sqrt((x - y)^2 + 4 x y), also where the square underflows */
-static inline phd_pair phd_difference(phd_pair sum, phd_pair product)
-{
-    const int exponent = phd_exponent(sum.hi);
-    const int alone = product.hi == 0.0 || phd_exponent(product.hi) < 2 * exponent;
-    const int tiny = sum.hi != 0.0 && exponent < -400 && alone;
-    const double up = ldexp(1.0, tiny ? -exponent : 0), down = ldexp(1.0, tiny ? exponent : 0);
-    const phd_pair raised = phd_scale(phd_scale(product, up), up);
-    return phd_scale(phd_sqrt(phd_add(phd_square(phd_scale(sum, up)), phd_scale(raised, 4.0))), down);
-}
-
-static inline void phd_upper_root_apart(const phd_top *t, phd_pair p2, phd_pair c2, phd_pair f1, phd_turning *o)
-{
-    const phd_pair product = phd_quotient(p2, o->Y);
-    const phd_pair sum = phd_quotient(phd_add(f1, phd_multiply(t->G, product)), o->Y);
-    o->d = phd_difference(sum, product);
-    phd_larger_and_smaller(sum, o->d, product, &o->from_upper, &o->from_lower);
-    o->s1 = phd_add(t->s0, o->from_lower);
-    o->s2 = phd_subtract(t->s0, o->from_upper);
-    o->Z_minus = phd_subtract(o->Y, phd_multiply(t->G, t->s0));
-    /* s1 s2 Z = c^2; of s2 and Z only the larger is an accurate difference */
-    if (o->Z_minus.hi >= phd_multiply(t->G, o->s2).hi) o->s2 = phd_quotient(c2, phd_multiply(o->s1, o->Z_minus));
-    else o->Z_minus = phd_quotient(c2, phd_multiply(o->s1, o->s2));
-    o->A = phd_add(o->Y, phd_multiply(t->G, o->from_lower));
-    o->B = phd_subtract(o->Y, phd_multiply(t->G, o->from_upper));
-}
-
-static inline void phd_lower_root_apart(const phd_top *t, phd_pair p2, phd_pair c2, phd_turning *o)
-{
-    const phd_pair Gs1 = phd_multiply(t->G, o->s1), product = phd_quotient(c2, Gs1);
-    const phd_pair sum = phd_divide(phd_add(phd_scale(t->F, -2.0), phd_quotient(c2, o->s1)), Gs1);
-    const phd_pair gap = phd_difference(sum, product);
-    phd_pair minus_s3, other;
-    phd_larger_and_smaller(sum, gap, product, &o->s2, &minus_s3);
-    o->Z_minus = phd_multiply(t->G, minus_s3);
-    o->Y = phd_add(phd_multiply(t->G, t->s0), o->Z_minus);
-    other = phd_quotient(p2, o->Y);
-    o->from_upper = phd_subtract(t->s0, o->s2);
-    o->from_lower = phd_subtract(o->s1, t->s0);
-    if (o->from_upper.hi >= o->from_lower.hi) o->from_lower = phd_quotient(other, o->from_upper);
-    else o->from_upper = phd_quotient(other, o->from_lower);
-    o->d = phd_subtract(o->s1, o->s2);
-    o->A = phd_multiply(t->G, phd_add(o->s1, minus_s3));
-    o->B = phd_multiply(t->G, gap);
-}
-
-static inline phd_turning phd_turning_points(const phd_top *t)
-{
-    phd_turning o;
-    const phd_pair G = t->G, p2 = phd_square(t->p), c2 = phd_square(t->c), a = phd_make(t->L[2], 0.0);
-    phd_pair f1 = phd_scale(phd_multiply(a, t->twist), 2.0), cubic[3];
-    double cosine, root;
-    f1 = phd_subtract(f1, phd_multiply(G, phd_multiply(t->s0, t->t0)));
-    f1 = phd_subtract(f1, phd_scale(phd_multiply(t->u0, t->w2), 2.0));
-    cubic[0] = phd_subtract(phd_subtract(phd_scale(phd_multiply(G, t->u0), 2.0), t->w2), phd_square(a));
-    cubic[1] = phd_multiply(G, f1);
-    cubic[2] = phd_multiply(phd_square(G), p2);
-    root = phd_largest_root(cubic, &cosine);
-    if (cosine >= 0.0 || !(G.hi > 0.0)) {
-        o.Y = phd_polished(root, cubic);
-        phd_upper_root_apart(t, p2, c2, f1, &o);
-    } else {
-        cubic[0] = phd_negate(phd_divide(t->D, G));
-        cubic[1] = phd_scale(phd_divide(t->F, G), -2.0);
-        cubic[2] = phd_divide(c2, G);
-        root = phd_largest_root(cubic, &cosine);
-        o.s1 = phd_polished(root, cubic);
-        phd_lower_root_apart(t, p2, c2, &o);
-    }
-    o.t2 = phd_add(t->t0, o.from_upper);
-    o.Z_plus = phd_add(o.Y, phd_multiply(G, t->t0));
-    o.t1 = phd_quotient(phd_square(t->c_plus), phd_multiply(o.t2, o.Z_plus));
-    return o;
-}
-
-/* c G/(4 Z) sum in the first form, |c|/(2 near) [1 - d/(2 far) sum] - nutation in the second */
-static inline phd_pair phd_drift(
-    phd_pair G, phd_pair c, phd_pair Z, phd_pair near, phd_pair far, phd_pair d, phd_pair nutation, phd_pair total, int first)
-{
-    const int idle = c.hi == 0.0;
-    phd_pair outer, share;
-    if (first) return phd_scale(phd_multiply(phd_divide(phd_multiply(c, G), idle ? PHD_ONE : Z), total), 0.25);
-    outer = phd_scale(phd_divide(c, idle ? PHD_ONE : near), 0.5);
-    share = phd_scale(phd_multiply(phd_divide(d, far), total), 0.5);
-    return phd_subtract(phd_multiply(outer, phd_subtract(PHD_ONE, share)), nutation);
-}
-
-/* The x = W tau that a top which leaves the vertical needs until its displacement is as large as the lifted one. */
-static inline phd_pair phd_climb(const phd_top *t) { return t->leaves ? phd_times(PHD_LN2, t->lift) : PHD_ZERO; }
-
-/* The rates of a top that leaves the vertical from those of the lifted one: K = pi W/(2 nutation) is longer by the climb,
-   during which alpha turns by c'/4 and beta not at all. */
-static inline void phd_linger(const phd_top *t, phd_top_rates *r)
-{
-    const phd_pair own = phd_scale(t->c_plus, 0.25), product = phd_multiply(phd_climb(t), r->nutation);
-    const phd_pair longer = phd_scale(phd_divide(product, phd_multiply(PHD_PI, r->half_root)), 2.0); /* climb/K */
-    const phd_pair share = phd_divide(PHD_ONE, phd_add(PHD_ONE, longer));
-    r->nutation = phd_multiply(r->nutation, share);
-    r->alpha = phd_add(own, phd_multiply(phd_subtract(r->alpha, own), share));
-    r->beta = phd_multiply(r->beta, share);
-}
-
-static inline phd_top_rates phd_rates_of_top(const phd_top *t, const phd_turning *o)
-{
-    phd_top_rates r;
-    const double a = t->L[2];
-    const int upright = t->s0.hi == 0.0 || t->t0.hi == 0.0;
-    const phd_pair root_A = phd_sqrt(o->A);
-    phd_pair root_B, c, c_plus, square_alpha, square_beta, total_alpha, total_beta;
-    int first_alpha, first_beta;
-    r.permanent = t->w2.hi == 0.0 && (upright || (t->G.hi == 0.0 && a == 0.0));
-    r.separatrix = !(o->B.hi > 0.0) && !r.permanent;
-    r.steady = 0;
-    r.sign_alpha = t->c_plus.hi >= 0.0 ? 1.0 : -1.0;
-    r.sign_beta = t->c.hi >= 0.0 ? 1.0 : -1.0;
-    r.half_root = phd_scale(root_A, 0.5);
-    r.spin = phd_divide(phd_times(phd_two_sum(t->I1, -t->I3), a), phd_make(t->I3, 0.0));
-    r.nutation = r.alpha = r.beta = PHD_ZERO;
-    if (r.separatrix) r.alpha = phd_scale(t->c_plus, 0.25);
-    if (r.permanent || r.separatrix) return r;
-    root_B = phd_sqrt(o->B);
-    c_plus = phd_scale(t->c_plus, r.sign_alpha);
-    c = phd_scale(t->c, r.sign_beta);
-    first_alpha = o->Z_plus.hi <= 2.0 * o->A.hi;
-    first_beta = phd_multiply(t->G, o->s2).hi <= o->Z_minus.hi;
-    square_alpha = first_alpha ? o->Z_plus : phd_divide(phd_multiply(o->A, o->t2), o->t1);
-    /* c = 0 through the upper pole: the factor of the sum vanishes, and the square must only not be zero */
-    square_beta = first_beta ? (c.hi == 0.0 ? o->A : o->Z_minus) : phd_divide(phd_multiply(o->s1, o->B), o->s2);
-    r.nutation = phd_scale(phd_agm(root_A, root_B, square_alpha, &total_alpha), 0.5);
-    (void)phd_agm(root_A, root_B, square_beta, &total_beta);
-    r.alpha = phd_drift(t->G, c_plus, o->Z_plus, o->t1, o->t2, o->d, r.nutation, total_alpha, first_alpha);
-    r.beta = phd_drift(t->G, c, o->Z_minus, o->s2, o->s1, o->d, r.nutation, total_beta, first_beta);
-    r.alpha = phd_scale(r.alpha, r.sign_alpha);
-    r.beta = phd_scale(r.beta, first_beta ? -r.sign_beta : r.sign_beta);
-    r.steady = !(o->d.hi > 0.0);
-    if (t->leaves) phd_linger(t, &r);
-    return r;
-}
-
-/* R_F(x, y, 1) by duplication. Carlson, Numer. Algorithms 10 (1995) 13. */
-static inline phd_pair phd_first_kind(phd_pair x, phd_pair y)
-{
-    phd_pair a = x, b = y, c = PHD_ONE, mean;
-    double X, Y, Z, E2, E3;
-    int step;
-    for (step = 0; step < 20; step++) {
-        const phd_pair ra = phd_sqrt(a), rb = phd_sqrt(b), rc = phd_sqrt(c);
-        const phd_pair lambda = phd_add(phd_add(phd_multiply(ra, rb), phd_multiply(rb, rc)), phd_multiply(rc, ra));
-        a = phd_scale(phd_add(a, lambda), 0.25);
-        b = phd_scale(phd_add(b, lambda), 0.25);
-        c = phd_scale(phd_add(c, lambda), 0.25);
-    }
-    mean = phd_divide(phd_add(phd_add(a, b), c), phd_make(3.0, 0.0));
-    X = phd_subtract(PHD_ONE, phd_divide(a, mean)).hi;
-    Y = phd_subtract(PHD_ONE, phd_divide(b, mean)).hi;
-    Z = -X - Y;
-    E2 = X * Y - Z * Z;
-    E3 = X * Y * Z;
-    X = -E2 / 10.0 + E3 / 14.0 + E2 * E2 / 24.0 - 3.0 * E2 * E3 / 44.0;
-    return phd_divide(phd_add(PHD_ONE, phd_make(X, 0.0)), phd_sqrt(mean));
-}
-
-/* sqrt(factor) R_F(x, y, 1), and sqrt(factor) where the integral is not used */
-static inline phd_pair phd_integral(phd_pair factor, phd_pair x, phd_pair y)
-{
-    const double size = x.hi + y.hi;
-    return phd_multiply(phd_sqrt(factor), size > 0.0 && isfinite(size) ? phd_first_kind(x, y) : PHD_ONE);
-}
-
-static inline phd_lattice phd_places(const phd_top *t, const phd_turning *o, const phd_top_rates *r)
-{
-    phd_lattice at;
-    const phd_pair G = t->G, A = o->A, d = o->d;
-    const double m = G.hi * d.hi / A.hi, m1 = r->separatrix ? 0.0 : o->B.hi / A.hi;
-    double small, scale;
-    at.full = r->permanent || (m <= m1 && !r->separatrix);
-    small = r->permanent ? 0.0 : at.full ? m : m1;
-    at.q = small * phd_nome_over(small, sqrt(1.0 - small));
-    at.theta3 = 1.0 + phd_theta3_excess(at.q);
-    scale = 1.0 / (at.theta3 * at.theta3);
-    /* where the tilt stays the pole is infinitely far: only exp(-y) = 0 enters */
-    at.y_alpha = at.y_beta = r->steady ? INFINITY : 0.0;
-    at.r_alpha = at.r_beta = 0.0;
-    at.x0 = PHD_ZERO;
-    if (r->permanent || r->steady) return at;
-    if (r->separatrix) {
-        at.y_alpha = atan2(sqrt(o->t1.hi), sqrt(d.hi)) * scale;
-    } else {
-        const phd_pair s1B = phd_multiply(o->s1, o->B), At2 = phd_multiply(A, o->t2);
-        at.y_alpha = scale * phd_integral(phd_divide(o->t1, o->t2), phd_divide(d, o->t2),
-                                          phd_divide(phd_multiply(d, o->Z_plus), At2)).hi;
-        if (o->s2.hi != 0.0)
-            at.y_beta = scale * phd_integral(phd_divide(phd_multiply(o->s2, A), s1B),
-                                             phd_divide(phd_multiply(d, o->Z_minus), s1B), phd_divide(d, o->s1)).hi;
-    }
-    if (at.full && at.q > 0.0) {
-        at.r_alpha = exp(-2.0 * scale * phd_integral(phd_divide(A, o->Z_plus), phd_divide(phd_multiply(G, o->t1), o->Z_plus),
-                                                     phd_divide(phd_multiply(G, o->t2), o->Z_plus)).hi);
-        at.r_beta = exp(-2.0 * scale * phd_integral(phd_divide(o->Z_minus, o->B), phd_divide(phd_multiply(G, o->s2), o->B),
-                                                    phd_divide(phd_multiply(G, o->s1), A)).hi);
-    }
-    at.x0 = phd_integral(phd_divide(o->from_lower, d), phd_divide(o->from_upper, d), phd_divide(o->Y, A));
-    at.x0 = phd_add(at.x0, phd_climb(t));
-    if (!(t->p.hi >= 0.0)) at.x0 = phd_negate(at.x0);
-    return at;
-}
-
-static inline void phd_top_argument(polhode_top *m, const phd_top *t, const phd_top_rates *r, const phd_lattice *at)
-{
-    phd_pair third, twice_K;
-    phd_rate halves;
-    const double share = at->full ? 0.5 : 1.0, shrink = phd_theta3_excess(at->q);
-    m->decay_high = 1.0;
-    m->decay_low = 0.0;
-    if (r->permanent) {
-        third = PHD_ZERO;
-        m->start = phd_make(0.25, 0.0);
-    } else if (r->separatrix) {
-        third = phd_divide(phd_scale(r->half_root, t->rate_scale), phd_make(t->I1, 0.0));
-        m->start = at->x0;
-    } else {
-        third = phd_divide(phd_scale(r->nutation, t->rate_scale), phd_times(PHD_PI, t->I1));
-        third = phd_scale(third, share);
-        twice_K = phd_divide(phd_multiply(r->half_root, PHD_PI), r->nutation);
-        m->start = phd_scale(phd_divide(at->x0, twice_K), share);
-        twice_K = phd_add(twice_K, phd_make(-twice_K.hi * (shrink * (2.0 + shrink) / (at->theta3 * at->theta3)), 0.0));
-        halves = phd_split(twice_K);
-        m->decay_high = halves.upper;
-        m->decay_low = halves.lower + halves.rest;
-    }
-    m->third = phd_split(third);
-}
-
-static inline void phd_full_row(double size, double q, double y, double r, int alternating, double up[4], double down[4])
-{
-    const double h = exp(-2.0 * y);
-    double weight[4], total = 0.0;
-    int n;
-    for (n = 3; n >= 0; n--) {
-        weight[n] = phd_power(phd_power(q, n) * r, n);
-        total += weight[n] * (1.0 + phd_power(h, 2 * n + 1));
-    }
-    for (n = 0; n < 4; n++) {
-        const double signed_ = size / total * weight[n] * (alternating && n % 2 ? -1.0 : 1.0), odd = phd_power(h, 2 * n + 1);
-        up[n] = signed_ * (1.0 + odd);
-        down[n] = signed_ * (1.0 - odd);
-    }
-}
-
-static inline double phd_theta4(double q, double y)
-{
-    return 1.0 - 2.0 * (q * cos(2.0 * y) - phd_power(q, 4) * cos(4.0 * y) + phd_power(q, 9) * cos(6.0 * y));
-}
-
-static inline void phd_top_series(
-    polhode_top *m, const phd_top *t, const phd_turning *o, const phd_top_rates *r, const phd_lattice *at)
-{
-    /* what stays near the vertical moves as the lifted top does, at the given size */
-    const double q = at->q, down = ldexp(1.0, t->leaves ? 0 : -t->lift);
-    const double size_a = t->upright ? 1.0 : down, size_b = t->upright ? down : 1.0;
-    int n;
-    m->constant = 0.0;
-    if (r->permanent) { /* one of alpha, beta, or at rest both, as it started */
-        for (n = 0; n < 4; n++) m->a_up[n] = m->a_down[n] = m->b_up[n] = m->b_down[n] = 0.0;
-        m->a_up[0] = sqrt(0.5 * t->t0.hi);
-        m->b_down[0] = sqrt(0.5 * t->s0.hi);
-    } else if (at->full) {
-        phd_full_row(size_a * sqrt(0.5 * o->t2.hi) * at->theta3, q, at->y_alpha, at->r_alpha, 1, m->a_up, m->a_down);
-        phd_full_row(size_b * sqrt(0.5 * o->s1.hi) * phd_theta4(q, 0.0), q, at->y_beta, at->r_beta, 0, m->b_up, m->b_down);
-    } else {
-        const double alpha = sqrt(0.5 * o->t2.hi) * at->theta3 / phd_theta4(q, at->y_alpha);
-        const double theta2 = 1.0 + phd_power(q, 2) + phd_power(q, 6) + phd_power(q, 12);
-        const double beta = sqrt(0.5 * o->s1.hi) * theta2 / phd_theta4(q, at->y_beta);
-        for (n = 0; n < 4; n++) {
-            const double sign = n % 2 ? -1.0 : 1.0;
-            m->a_up[n] = alpha * sign * sin((2 * n + 1) * at->y_alpha);
-            m->a_down[n] = alpha * sign * cos((2 * n + 1) * at->y_alpha);
-            m->b_up[n] = -beta * sign * cos((2 * n + 2) * at->y_beta);
-            m->b_down[n] = -beta * sign * sin((2 * n + 2) * at->y_beta);
-        }
-        m->constant = beta;
-    }
-}
-
-/* A, B and their derivatives by the argument, real and imaginary parts, and phases in turns */
-typedef struct { double ar, ai, br, bi, dar, dai, dbr, dbi, turns_a, turns_b; } phd_numerators;
-
-static inline double phd_turns(phd_rate rate, phd_time t)
-{
-    const phd_phase p = phd_reduce(rate, t);
-    return p.fraction + p.rest;
-}
-
-static inline phd_numerators phd_full_numerators(const polhode_top *m, phd_time t)
-{
-    phd_numerators v = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-    const phd_wave wave = phd_sine_cosine(phd_turns(m->third, t) + m->start.hi);
-    const double double_c = 1.0 - 2.0 * wave.sine * wave.sine, double_s = 2.0 * wave.sine * wave.cosine;
-    double c = wave.cosine, s = wave.sine;
-    int n;
-    for (n = 0; n < 4; n++) {
-        const double k = 2.0 * n + 1.0, next = c * double_c - s * double_s;
-        v.ar += m->a_up[n] * s;
-        v.ai -= m->sign_a * m->a_down[n] * c;
-        v.br += m->b_up[n] * c;
-        v.bi += m->sign_b * m->b_down[n] * s;
-        v.dar += k * m->a_up[n] * c;
-        v.dai += k * m->sign_a * m->a_down[n] * s;
-        v.dbr -= k * m->b_up[n] * s;
-        v.dbi += k * m->sign_b * m->b_down[n] * c;
-        s = s * double_c + c * double_s;
-        c = next;
-    }
-    v.turns_a = phd_turns(m->first, t);
-    v.turns_b = phd_turns(m->second, t);
-    return v;
-}
-
-static inline phd_numerators phd_complementary_numerators(const polhode_top *m, phd_time t)
-{
-    phd_numerators v = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-    const phd_phase p = phd_reduce(m->third, t);
-    /* x/2K within half a period as a pair, and the periods taken out; on the separatrix none is */
-    const phd_pair sum = phd_two_sum((1.0 - m->periodic) * p.turns, p.fraction), o = phd_two_sum(sum.hi, m->start.hi);
-    const phd_pair w = phd_fast_two_sum(o.hi, p.rest + (m->start.lo + (sum.lo + o.lo)));
-    const double more = m->periodic * rint(w.hi), u = w.hi - more, count = m->periodic * p.turns + more;
-    const double half = 0.5 * (count - 2.0 * floor(0.5 * count)), side = u < 0.0 ? -1.0 : 1.0, f = u * side, g = w.lo * side;
-    const double e0 = phd_decay(f, g, m->decay_high, m->decay_low), distance = fmax(0.5 - f, 0.0), e = 2.0 * e0, q = m->q;
-    const double R = m->periodic
-                   * phd_decay(distance, ((0.5 - distance) - f) * m->periodic - g, m->decay_high, m->decay_low);
-    const double h = e0 * e0, r = R * R, q2 = q * q, within = u + w.lo;
-    double weight = 1.0, hk = h, up = r, down = q * h, qr = q * r, up_by = q2 * r, down_by = q2 * q * h;
-    int n;
-    v.br = m->constant;
-    for (n = 0; n < 4; n++) {
-        const double odd = 2.0 * n + 1.0, even = 2.0 * n + 2.0, plus = weight * (1.0 + hk), minus = weight * (1.0 - hk);
-        v.ar += m->a_up[n] * plus;
-        v.ai += m->a_down[n] * minus;
-        v.dar += odd * m->a_up[n] * minus;
-        v.dai += odd * m->a_down[n] * plus;
-        v.br += m->b_up[n] * (up + down);
-        v.bi += m->b_down[n] * (up - down);
-        v.dbr += even * m->b_up[n] * (up - down);
-        v.dbi += even * m->b_down[n] * (up + down);
-        weight *= qr;
-        qr *= q2;
-        hk *= h * h;
-        up *= up_by;
-        up_by *= q2;
-        down *= down_by;
-        down_by *= q2;
-    }
-    v.ai *= m->sign_a * side;
-    v.dar *= side;
-    v.dai *= m->sign_a;
-    v.br *= e;
-    v.bi *= -m->sign_b * side * e;
-    v.dbr *= side * e;
-    v.dbi *= -m->sign_b * e;
-    v.turns_a = phd_wrapped(phd_turns(m->first, t) + m->sign_a * within * m->turns_a) + half;
-    v.turns_b = phd_wrapped(phd_turns(m->second, t) + m->sign_b * within * m->turns_b) + half;
-    return v;
-}
-
-static inline phd_numerators phd_top_numerators(const polhode_top *m, phd_time t)
-{
-    return m->full ? phd_full_numerators(m, t) : phd_complementary_numerators(m, t);
-}
-
-/* cos and sin of the phase that turns the series r + i i at the epoch into the given g, of slope e */
-static inline void phd_constant_phase(
-    const double series[4], double turns, double rate, double argument_rate, double drop, const double given[4], double size,
-    double phase[2])
-{
-    const double r = series[0], i = series[1];
-    const double sr = argument_rate * (series[2] - r * drop) - rate * i, si = argument_rate * (series[3] - i * drop) + rate * r;
-    const double real = (r * given[0] + i * given[1]) + (sr * given[2] + si * given[3]) / size;
-    const double imaginary = (r * given[1] - i * given[0]) + (sr * given[3] - si * given[2]) / size;
-    const double c = cos(2.0 * PHD_PI.hi * turns), s = sin(2.0 * PHD_PI.hi * turns);
-    const double x = real * c + imaginary * s, y = imaginary * c - real * s, length = sqrt(x * x + y * y);
-    phase[0] = length > 0.0 ? x / length : 1.0;
-    phase[1] = length > 0.0 ? y / length : 0.0;
-}
-
-static inline phd_numerators phd_lifted(phd_numerators v, const phd_top *t)
-{
-    const double up = ldexp(1.0, t->lift), up_a = t->upright ? 1.0 : up, up_b = t->upright ? up : 1.0;
-    v.ar *= up_a;
-    v.ai *= up_a;
-    v.dar *= up_a;
-    v.dai *= up_a;
-    v.br *= up_b;
-    v.bi *= up_b;
-    v.dbr *= up_b;
-    v.dbi *= up_b;
-    return v;
-}
-
-static inline void phd_top_phases(polhode_top *m, const phd_top *t, double linear_a, double linear_b, double argument_rate)
-{
-    const double L1 = t->L[0], L2 = t->L[1], L3 = t->L[2];
-    const phd_numerators v = phd_lifted(phd_top_numerators(m, PHD_EPOCH), t);
-    const double square = (v.ar * v.ar + v.ai * v.ai) + (v.br * v.br + v.bi * v.bi), norm = sqrt(square);
-    const double drop = ((v.ar * v.dar + v.ai * v.dai) + (v.br * v.dbr + v.bi * v.dbi)) / square;
-    double size = L1 * L1 + L2 * L2 + L3 * L3 + t->G.hi, q[4], given[4], series[4];
-    int k;
-    if (!(size > 0.0)) size = 1.0;
-    for (k = 0; k < 4; k++) q[k] = phd_divide(phd_make(t->q[k], 0.0), phd_sqrt(t->size)).hi;
-    /* 2 alpha' = i a alpha - conj(w) beta, 2 beta' = w alpha - i a beta */
-    given[0] = q[0];
-    given[1] = q[3];
-    given[2] = 0.5 * (-L3 * q[3] - (L1 * q[1] + L2 * q[2]));
-    given[3] = 0.5 * (L3 * q[0] - (L1 * q[2] - L2 * q[1]));
-    series[0] = v.ar / norm;
-    series[1] = v.ai / norm;
-    series[2] = v.dar / norm;
-    series[3] = v.dai / norm;
-    phd_constant_phase(series, v.turns_a, linear_a, argument_rate, drop, given, size, m->phase);
-    given[0] = q[1];
-    given[1] = q[2];
-    given[2] = 0.5 * (L1 * q[0] - L2 * q[3] + L3 * q[2]);
-    given[3] = 0.5 * (L1 * q[3] + L2 * q[0] - L3 * q[1]);
-    series[0] = v.br / norm;
-    series[1] = v.bi / norm;
-    series[2] = v.dbr / norm;
-    series[3] = v.dbi / norm;
-    phd_constant_phase(series, v.turns_b, linear_b, argument_rate, drop, given, size, m->phase + 2);
-}
-
-static inline polhode_top_regime phd_regime_of_top(const phd_top *t, const phd_top_rates *r)
-{
-    const double a = t->L[2], along = a < 0.0 ? -t->lean.hi : t->lean.hi;
-    const int within = t->c.hi * a < 0.0 && t->c_plus.hi * a > 0.0; /* the azimuth stands still at some tilt */
-    if (r->permanent && a == 0.0) return POLHODE_TOP_REST;
-    if (t->G.hi == 0.0) return POLHODE_TOP_FREE;
-    if (r->permanent) return t->s0.hi == 0.0 ? POLHODE_TOP_SLEEPING : POLHODE_TOP_HANGING;
-    if (r->separatrix) return POLHODE_TOP_SEPARATRIX;
-    if (r->steady) return POLHODE_TOP_STEADY;
-    if (a == 0.0 && t->c.hi == 0.0) return POLHODE_TOP_PLANAR;
-    if (within && along == 0.0) return POLHODE_TOP_CUSP;
-    return within && along > 0.0 ? POLHODE_TOP_LOOP : POLHODE_TOP_UNDULATING;
-}
-
-/* u from the smaller of 1 - u and 1 + u */
-static inline double phd_cosine(phd_pair s, phd_pair t)
-{
-    return s.hi < t.hi ? phd_subtract(PHD_ONE, s).hi : phd_subtract(t, PHD_ONE).hi;
-}
-
-static inline void phd_top_numbers(polhode_top *m, const phd_top *t, const phd_turning *o, const phd_top_rates *r)
-{
-    double lower = t->u0.hi, upper = t->u0.hi;
-    phd_pair alpha, beta, spin;
-    if (!r->permanent) {
-        lower = phd_cosine(o->s1, o->t1);
-        upper = phd_cosine(o->s2, o->t2);
-    }
-    m->regime = phd_regime_of_top(t, r);
-    m->lowest = t->reversed < 0.0 ? -upper : lower;
-    m->highest = t->reversed < 0.0 ? -lower : upper;
-    m->nutation_period = r->separatrix ? INFINITY : NAN;
-    m->precession_per_period = m->spin_per_period = NAN;
-    if (r->permanent || r->separatrix) return;
-    alpha = phd_add(phd_divide(r->alpha, r->nutation), phd_make(r->sign_alpha, 0.0));
-    beta = phd_add(phd_divide(r->beta, r->nutation), phd_make(r->sign_beta, 0.0));
-    spin = phd_divide(r->spin, r->nutation);
-    m->nutation_period = phd_divide(phd_times(PHD_PI, t->I1), phd_scale(r->nutation, t->rate_scale)).hi;
-    m->precession_per_period = phd_multiply(PHD_PI, phd_add(alpha, beta)).hi;
-    m->spin_per_period = t->reversed * phd_multiply(PHD_PI, phd_add(phd_subtract(alpha, beta), spin)).hi;
-}
-
-/* The phase rates of alpha and beta by tau, the spin that I3 != I1 adds included. */
-static inline void phd_top_phase_rates(polhode_top *m, const phd_top *t, const phd_top_rates *r)
-{
-    const phd_pair spin = phd_scale(r->spin, 0.5), inverse = phd_divide(PHD_INVERSE_TWO_PI, phd_make(t->I1, 0.0));
-    phd_pair alpha = phd_add(r->alpha, spin), beta = phd_subtract(r->beta, spin);
-    if (r->permanent) {
-        alpha = phd_divide(phd_two_product(0.5 * t->L[2], t->I1), phd_make(t->I3, 0.0));
-        beta = phd_negate(alpha);
-    }
-    m->first = phd_split(phd_scale(phd_multiply(alpha, inverse), t->rate_scale));
-    m->second = phd_split(phd_scale(phd_multiply(beta, inverse), t->rate_scale));
+    const phd_top_numbers_record numbers = phd_top_numbers(&given->top, &given->points, &given->rates);
+    m->regime = (polhode_top_regime)(int)numbers.regime;
+    m->lowest = numbers.lowest;
+    m->highest = numbers.highest;
+    m->nutation_period = numbers.period;
+    m->precession_per_period = numbers.precession_per_period;
+    m->spin_per_period = numbers.spin_per_period;
 }
 
 /* Prepares a Lagrange top: moments (I1, I1, I3) about the pivot, mgl the weight times the distance from there to the centre of
@@ -1531,94 +3553,43 @@ static inline int polhode_top_init(
     static const double identity[4] = {1.0, 0.0, 0.0, 0.0};
     const int error = phd_check(moments, momentum, attitude, epoch);
     const double *q = attitude ? attitude : identity;
-    phd_top t;
-    phd_turning o;
-    phd_top_rates r;
-    phd_lattice at;
-    double argument_rate, carried, linear_a = 0.0, linear_b = 0.0, up, down;
-    int k, still;
+    const double up = q[0] * q[0] + q[3] * q[3], down = q[1] * q[1] + q[2] * q[2];
+    phd_top_given_record given;
+    phd_top_integrals_record integrals;
     if (error) return error;
     if (moments[0] != moments[1]) return POLHODE_BAD_MOMENTS;
     if (!isfinite(mgl)) return POLHODE_BAD_MGL;
-    t = phd_reduced_top(moments, mgl, momentum, q);
-    o = phd_turning_points(&t);
-    r = phd_rates_of_top(&t, &o);
-    at = phd_places(&t, &o, &r);
-    still = at.full || r.separatrix;
-    m->full = at.full;
-    m->q = at.q;
+    given.top = phd_reduced_top(moments, mgl, momentum, q);
+    given.points = phd_top_turning_points(&given.top);
+    given.rates = phd_top_frequencies(&given.top, &given.points);
+    integrals = phd_top_integrals(&given.top, &given.points, &given.rates);
+    given.at = phd_top_arguments(&given.top, &given.points, &given.rates, &integrals);
+    given.axial = momentum[2];
     m->epoch = epoch;
-    m->axial = momentum[2];
-    m->reversed = t.reversed;
-    m->turns_a = still ? 0.0 : at.y_alpha / PHD_PI.hi;
-    m->turns_b = still ? 0.0 : at.y_beta / PHD_PI.hi;
-    m->periodic = r.separatrix ? 0.0 : 1.0;
-    m->sign_a = r.permanent ? 1.0 : r.sign_alpha;
-    m->sign_b = r.permanent ? 1.0 : r.sign_beta;
-    phd_top_phase_rates(m, &t, &r);
-    phd_top_argument(m, &t, &r, &at);
-    phd_top_series(m, &t, &o, &r, &at);
-    argument_rate = r.permanent ? 0.0 : at.full ? r.nutation.hi : r.half_root.hi / (at.theta3 * at.theta3);
-    if (!r.permanent) { /* derivatives by tau of the phases that evaluation adds to A and B, spin aside */
-        carried = still ? 0.0 : r.nutation.hi * (2.0 / PHD_PI.hi);
-        linear_a = r.alpha.hi + (still ? 0.0 : r.sign_alpha * at.y_alpha * carried);
-        linear_b = r.beta.hi + (still ? 0.0 : r.sign_beta * at.y_beta * carried);
-    }
-    m->by_argument = 2.0 * argument_rate * t.momentum_scale;
-    m->by_phase = 2.0 * (linear_a + linear_b) * t.momentum_scale;
-    phd_top_phases(m, &t, linear_a, linear_b, argument_rate);
-    phd_top_numbers(m, &t, &o, &r);
-    m->fastest = 0.0;
-    m->energy = 0.0;
-    for (k = 0; k < 3; k++) {
-        m->fastest = fmax(m->fastest, fabs(momentum[k] / moments[k]));
-        m->energy += 0.5 * (momentum[k] / moments[k] * momentum[k]);
-    }
-    m->fastest += sqrt(fabs(mgl) / moments[0]);
-    up = q[0] * q[0] + q[3] * q[3];
-    down = q[1] * q[1] + q[2] * q[2];
-    m->energy += mgl * (up - down) / (up + down);
-    return isfinite(m->fastest) && isfinite(m->first.lower) && isfinite(m->second.lower) && isfinite(m->third.lower)
-            && isfinite(m->start.hi) && isfinite(m->by_argument) && isfinite(m->by_phase) && phd_are_finite(m->phase, 4)
+    m->fastest = phd_fastest(moments, momentum) + sqrt(fabs(mgl) / moments[0]);
+    m->energy = phd_kinetic_energy(moments, momentum) + mgl * (up - down) / (up + down);
+    m->motion = phd_top_motion_of(&given);
+    phd_top_put_numbers(m, &given);
+    return isfinite(m->fastest) && phd_are_finite(m->motion.first.at, 3) && phd_are_finite(m->motion.second.at, 3)
+            && phd_are_finite(m->motion.third.at, 3) && isfinite(m->motion.start.hi) && isfinite(m->motion.rates.hi)
+            && isfinite(m->motion.rates.lo) && phd_are_finite(m->motion.phases.at, 4)
          ? POLHODE_OK : POLHODE_OUT_OF_RANGE;
 }
 
 /* Gives attitude (w, x, y, z) and momentum (body axes) at a time [s]. Returns 0 or an error code. */
 static inline int polhode_top_state(const polhode_top *m, double t, double attitude[4], double momentum[3])
 {
-    const phd_time since = phd_since(t, m->epoch);
-    const double *c = m->phase;
-    phd_numerators v;
-    phd_wave a, b;
-    double x, root, ca, sa, cb, sb, ar, ai, br, bi, gain_r, gain_i, wr, wi, cw, sw;
-    if (!(fabs(since.high) * m->fastest <= 1e27)) return POLHODE_BAD_TIME;
-    v = phd_top_numerators(m, since);
-    a = phd_sine_cosine(v.turns_a);
-    b = phd_sine_cosine(v.turns_b);
-    x = 1.0 / ((v.ar * v.ar + v.ai * v.ai) + (v.br * v.br + v.bi * v.bi));
-    root = sqrt(x);
-    ca = a.cosine * c[0] - a.sine * c[1];
-    sa = a.sine * c[0] + a.cosine * c[1];
-    cb = b.cosine * c[2] - b.sine * c[3];
-    sb = b.sine * c[2] + b.cosine * c[3];
-    ar = (v.ar * ca - v.ai * sa) * root;
-    ai = (v.ar * sa + v.ai * ca) * root;
-    br = (v.br * cb - v.bi * sb) * root;
-    bi = (v.br * sb + v.bi * cb) * root;
-    gain_r = (v.ar * v.dbr + v.ai * v.dbi) - (v.br * v.dar + v.bi * v.dai);
-    gain_i = (v.ar * v.dbi - v.ai * v.dbr) - (v.bi * v.dar - v.br * v.dai);
-    wr = (m->by_argument * gain_r + m->by_phase * (v.ai * v.br - v.ar * v.bi)) * x;
-    wi = (m->by_argument * gain_i + m->by_phase * (v.ar * v.br + v.ai * v.bi)) * x;
-    cw = cb * ca + sb * sa;
-    sw = sb * ca - cb * sa;
-    attitude[0] = m->reversed < 0.0 ? br : ar;
-    attitude[1] = m->reversed < 0.0 ? -ar : br;
-    attitude[2] = m->reversed < 0.0 ? -ai : bi;
-    attitude[3] = m->reversed < 0.0 ? bi : ai;
-    momentum[0] = wr * cw - wi * sw;
-    momentum[1] = m->reversed * (wr * sw + wi * cw);
-    momentum[2] = m->axial;
+    phd_pair elapsed;
+    phd_seven state;
+    const int error = phd_since(t, m->epoch, m->fastest, &elapsed);
+    if (error) return error;
+    state = phd_top_state_at(&m->motion, elapsed.hi, elapsed.lo);
+    for (int k = 0; k < 4; k++) attitude[k] = state.at[k];
+    for (int k = 0; k < 3; k++) momentum[k] = state.at[4 + k];
     return POLHODE_OK;
 }
 
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT DEFAULT
+#endif
 #endif

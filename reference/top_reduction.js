@@ -3,58 +3,54 @@
 // With a = L3, w = L1 + i L2, G = 2 mgl I1, τ = t/I1 and the Cayley–Klein parameters α = q0 + i q3, β = q1 + i q2, a top of
 // equal moments obeys 2α' = i a α − w̄ β, 2β' = w α − i a β, w' = G ᾱ β; I3 ≠ I1 only adds the constant spin
 // ν = L3 (I1 − I3)/(I1 I3) about the axis. Source: Klein & Sommerfeld, Theorie des Kreisels, ch. VI.
-import * as dd from "./double_double.js";
+import { compress, distil, expansionTimesExpansion } from "./expansions.js";
+import * as dd from "./formulas/arithmetic.js";
+import { binaryExponent, timesPower } from "./words.js";
 
 const [TINY, LIFTED] = [-200, -150]; // binary exponents: of a displacement that is scaled up, and of what it becomes
 
 /**
- * Return a top with mgl ≥ 0, scaled by powers of two; pairs are double-double.
+ * Return a top with mgl ≥ 0, scaled by powers of two: a `Reduction` of formulas/lagrange_top_roots.js.
  *
- * u = cos θ, s = 1 − u, t = 1 + u, index 0 at the epoch; c = p_φ − L3, cPlus = p_φ + L3, twist = p_φ − u L3,
- * F = |w|² − G s − a c, D = 2G − a² − |w|² + G s, lean = a (|w|² − G s) − G c, and p = u̇ by τ, at the epoch.
  * A centre of mass below the pivot is one above it on the reversed axis: a half turn about the first body axis.
  *
  * A top displaced from the vertical by a tiny ε has s or t, c or c', F and |w|² of the order of ε², and squares of these
  * underflow. There the motion is linear in the displacement, so the invariants, `momentum` and `quaternion` have the
  * displacement scaled up by 2^lift. Rates and series undo this: the scaled top's state is scaled down if it stays near the
- * vertical, and the time it takes to leave grows by the logarithm of the scale if it does not (`leaves`).
+ * vertical, and the time it takes to leave grows by the logarithm of the scale if it does not.
  */
 export function reducedTop(moments, mgl, momentum, attitude) {
-  const turned = mgl < 0;
-  const quaternion = turned ? [-attitude[1], attitude[0], attitude[3], -attitude[2]] : [...attitude];
+  const reversed = mgl < 0;
+  const quaternion = reversed ? [-attitude[1], attitude[0], attitude[3], -attitude[2]] : [...attitude];
   const [w, x, y, z] = quaternion;
-  const sign = turned ? -1 : 1;
-  const momentExponent = dd.exponentOf(moments[0]);
+  const sign = reversed ? -1 : 1;
+  const momentExponent = binaryExponent(moments[0]);
   const momentumExponent = exponentOfMomentum(moments[0], Math.abs(mgl), momentum);
-  const [I1, I3] = [moments[0], moments[2]].map((v) => dd.timesPowerOfTwo(v, -momentExponent));
+  const [I1, I3] = [moments[0], moments[2]].map((v) => timesPower(v, -momentExponent));
   const given = [momentum[0], sign * momentum[1], sign * momentum[2]];
-  const L = given.map((v) => dd.timesPowerOfTwo(v, -momentumExponent));
-  const half = dd.timesPowerOfTwo(Math.abs(mgl), momentExponent - momentumExponent);
-  const weight = dd.timesPowerOfTwo(half, -momentumExponent);
+  const L = given.map((v) => timesPower(v, -momentumExponent));
+  const weight = timesPower(timesPower(Math.abs(mgl), momentExponent - momentumExponent), -momentumExponent);
   const G = dd.scale(dd.twoProduct(weight, I1), 2);
-  const size = dd.compress([...sumOfSquares(x, y), ...sumOfSquares(w, z)]);
+  const size = compress([...sumOfSquares(x, y), ...sumOfSquares(w, z)]);
   const { below, lift, kept } = liftOf(G, L, quaternion);
-  const raised = [0, 1].map((k) => kept * dd.timesPowerOfTwo(given[k], lift - momentumExponent));
+  const raised = [0, 1].map((k) => kept * timesPower(given[k], lift - momentumExponent));
   const liftedMomentum = [...raised, L[2]];
   const [above, under] = below ? [0, lift] : [lift, 0];
-  const [p, q] = [x, y].map((v) => kept * dd.timesPowerOfTwo(v, above));
-  const liftedQuaternion = [dd.timesPowerOfTwo(w, under), p, q, dd.timesPowerOfTwo(z, under)];
-  const found = invariants(G, size, liftedMomentum, liftedQuaternion);
+  const [p, q] = [x, y].map((v) => kept * timesPower(v, above));
+  const liftedQuaternion = [timesPower(w, under), p, q, timesPower(z, under)];
   return {
     moments: [I1, I3],
     momentum: liftedMomentum,
     quaternion: liftedQuaternion,
-    ...found,
-    reversed: turned ? -1 : 1,
+    reversed,
     lift,
-    upright: !below,
-    leaves: lift > 0 && !below && found.D[0] > 0,
-    momentumScale: dd.timesPowerOfTwo(1, momentumExponent),
-    rateScale: dd.timesPowerOfTwo(1, momentumExponent - momentExponent),
+    momentumScale: timesPower(1, momentumExponent),
+    rateScale: timesPower(1, momentumExponent - momentExponent),
+    ...invariants(G, size, liftedMomentum, liftedQuaternion),
   };
 }
 
-const sumOfSquares = (x, y) => dd.compress([...dd.twoProduct(x, x), ...dd.twoProduct(y, y)]);
+const sumOfSquares = (x, y) => compress([...dd.twoProduct(x, x), ...dd.twoProduct(y, y)]);
 
 /**
  * Return whether the axis points down, the exponent by which a tiny displacement is scaled up, and 0 to drop it, or 1.
@@ -67,7 +63,7 @@ function liftOf(G, [L1, L2, L3], [w, x, y, z]) {
   const [cosine, sine] = [largest(w, z), largest(x, y)];
   const below = cosine < sine;
   const displacement = Math.max(Math.min(cosine, sine), largest(L1, L2));
-  const exponent = dd.exponentOf(displacement);
+  const exponent = binaryExponent(displacement);
   const [double, square] = [dd.scale(G, 2), dd.twoProduct(L3, L3)];
   const threshold = !below && double[0] === square[0] && double[1] === square[1];
   const tiny = displacement > 0 && exponent < TINY && G[0] > 0;
@@ -77,9 +73,9 @@ function liftOf(G, [L1, L2, L3], [w, x, y, z]) {
 /** Return the exponent of the larger of |L| and √(mgl I1), without forming a product that may overflow. */
 function exponentOfMomentum(I1, weight, momentum) {
   const largest = Math.max(...momentum.map(Math.abs));
-  const exponent = dd.exponentOf(largest);
+  const exponent = binaryExponent(largest);
   if (!(weight > 0)) return exponent;
-  const half = Math.floor((dd.exponentOf(I1) + dd.exponentOf(weight) + 1) / 2);
+  const half = Math.floor((binaryExponent(I1) + binaryExponent(weight) + 1) / 2);
   return largest > 0 ? Math.max(exponent, half) : half;
 }
 
@@ -91,8 +87,8 @@ function exponentOfMomentum(I1, weight, momentum) {
  */
 function invariants(G, size, [L1, L2, L3], [w, x, y, z]) {
   const of = dd.twoProduct;
-  const product = dd.expansionTimesExpansion;
-  const short = dd.compress;
+  const product = expansionTimesExpansion;
+  const short = compress;
   const negated = (terms) => terms.map((v) => -v);
   const S = sumOfSquares(x, y);
   const T = sumOfSquares(w, z);
@@ -108,8 +104,8 @@ function invariants(G, size, [L1, L2, L3], [w, x, y, z]) {
   const rest = [...G.map((g) => 2 * g), ...of(L3, -L3)];
   const D = short([...product(size, rest), ...negated(energy)], 5);
   const lean = short([...product(energy, [L3]), ...product(negated(G), c)], 6);
-  const n = dd.distil(size);
-  const over = (terms) => dd.divide(dd.distil(terms), n);
+  const n = distil(size);
+  const over = (terms) => dd.divide(distil(terms), n);
   return {
     size: n, // |q|²
     G,
@@ -122,7 +118,7 @@ function invariants(G, size, [L1, L2, L3], [w, x, y, z]) {
     twist: over(twist),
     F: over(F),
     D: over(D),
-    w2: dd.distil(w2),
+    w2: distil(w2),
     lean: over(lean),
   };
 }

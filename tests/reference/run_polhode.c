@@ -34,7 +34,7 @@ int main(void)
             int late = 0;
             if (scanf("%lf", &t) != 1) return 1;
             if (!error) late = kind ? polhode_top_state(&top, t, q, L) : polhode_free_body_state(&body, t, q, L);
-            printf(" %d", late);
+            printf(" %a", (double)late);
             for (j = 0; j < 4; j++) printf(" %a", q[j]);
             for (j = 0; j < 3; j++) printf(" %a", L[j]);
         }

@@ -2,6 +2,7 @@
 
 import json
 import shutil
+import struct
 import subprocess
 from pathlib import Path
 from typing import NamedTuple
@@ -16,6 +17,7 @@ REFERENCE = ROOT / "reference"
 HERE = Path(__file__).parent
 NODE = shutil.which("node")
 COMPILER = shutil.which("cc") or shutil.which("gcc")
+RUSTC = shutil.which("rustc")
 STRICT = ("-O2", "-Wall", "-Wextra", "-Werror", "-pedantic", "-ffp-contract=off")
 
 
@@ -67,27 +69,51 @@ def compiled(folder, options=("-std=c99", *STRICT), header=REFERENCE):
     return program
 
 
-class CAnswers(NamedTuple):
-    """What the C program answers to N cases, with the error codes of the motions (N,) and of the times (N, T)."""
+def compiled_rust(folder, crate=REFERENCE / "rust", options=("-O",)):
+    """Return the program that answers cases by the crate, which rustc alone has compiled."""
+    library, program = folder / "libpolhode.rlib", folder / "run_polhode_rs"
+    strict = (RUSTC, "--edition", "2021", "-D", "warnings", *options)
+    commands = [
+        [*strict, "--crate-type", "rlib", "--crate-name", "polhode", crate / "src" / "lib.rs", "-o", library],
+        [*strict, "--extern", f"polhode={library}", HERE / "run_polhode.rs", "-o", program],
+    ]
+    for command in commands:
+        subprocess.run(command, check=True, timeout=300)
+    return program
+
+
+class Listed(NamedTuple):
+    """What a compiled program answers to N cases, with the error codes of the motions (N,) and of the times (N, T)."""
 
     states: np.ndarray  # (N, T, 7)
     of_motion: np.ndarray
     of_times: np.ndarray
     regimes: np.ndarray
-    numbers: np.ndarray  # (N, 8), as the program lists them
+    numbers: np.ndarray  # (N, 8), as the programs list them
 
 
 def in_c(program, givens, times):
     """Return the answers of polhode.h."""
+    return _listed(program, givens, times, float.hex, float.fromhex)
+
+
+def in_rust(program, givens, times):
+    """Return the answers of the crate."""
+    bits = lambda x: struct.pack(">d", x).hex()  # noqa: E731
+    return _listed(program, givens, times, bits, lambda text: struct.unpack(">d", bytes.fromhex(text))[0])
+
+
+def _listed(program, givens, times, written, read):
     lines = []
     for g, t in zip(givens, times, strict=True):
         numbers = (*g.moments, *g.momentum, *g.attitude, g.epoch, g.mgl or 0.0, *t)
-        lines.append(f"{int(g.mgl is not None)} {len(t)} " + " ".join(float(x).hex() for x in numbers))
+        lines.append(f"{int(g.mgl is not None)} {len(t)} " + " ".join(written(float(x)) for x in numbers))
     done = subprocess.run([program], input="\n".join(lines), text=True, capture_output=True, timeout=300, check=True)
-    rows = np.array([[float.fromhex(x) for x in line.split()] for line in done.stdout.splitlines()])
-    states = rows[:, 10:].reshape(len(givens), -1, 8)
-    return CAnswers(states[..., 1:], rows[:, 0].astype(int), states[..., 0].astype(int), rows[:, 1].astype(int),
-                    rows[:, 2:10])  # fmt: skip
+    rows = [line.split() for line in done.stdout.splitlines()]
+    codes = np.array([row[:2] for row in rows], int)
+    values = np.array([[read(x) for x in row[2:]] for row in rows])
+    states = values[:, 8:].reshape(len(givens), -1, 8)
+    return Listed(states[..., 1:], codes[:, 0], states[..., 0].astype(int), codes[:, 1], values[:, :8])
 
 
 def together(givens):

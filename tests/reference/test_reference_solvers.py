@@ -1,4 +1,4 @@
-"""The solvers of `reference/` in JavaScript and C: numbers of motions, what they refuse, and how they are used.
+"""The solvers of `reference/` in JavaScript, C and Rust: numbers of motions, what they refuse, and how they are used.
 
 Their states are judged with those of all other implementations, in tests/twins.
 """
@@ -19,19 +19,22 @@ from reference.solvers import (
     COMPILER,
     NODE,
     REFERENCE,
+    RUSTC,
     STRICT,
     Given,
     by_polhode,
     compiled,
+    compiled_rust,
     errors,
     in_c,
     in_javascript,
+    in_rust,
     run_javascript,
     together,
 )
 from twins.motions import COMMITTED, PROMISE, committed
 from twins.motions import errors as errors_in_eps
-from twins.motions_implementations import by_c, by_javascript
+from twins.motions_implementations import by_c, by_javascript, by_rust
 
 SOON = 1e-13  # rad, and of |L|, between two that are each within 16 eps of the truth
 SAME_NUMBER = 1e-14  # relative; of what cancels to its terms
@@ -40,7 +43,9 @@ BAD_ARITHMETIC = 8  # the error code for fused or reordered sums
 TURNED = (0.5, -0.5, 0.5, 0.5)
 needs_node = pytest.mark.skipif(NODE is None, reason="node is missing")
 needs_compiler = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
-LANGUAGES = [pytest.param("javascript", marks=needs_node), pytest.param("c", marks=needs_compiler)]
+needs_rustc = pytest.mark.skipif(RUSTC is None, reason="rustc is missing")
+NEEDS = {"javascript": needs_node, "c": needs_compiler, "rust": needs_rustc}
+LANGUAGES = [pytest.param(language, marks=mark) for language, mark in NEEDS.items()]
 MOTIONS = ["free", "top"]
 KIND = {"free": "body", "top": "top"}
 
@@ -75,13 +80,30 @@ def program(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def answers(request):
+def rust_program(tmp_path_factory):
+    return compiled_rust(tmp_path_factory.mktemp("rust"))
+
+
+@pytest.fixture(scope="module")
+def listed(request):
+    """Return what the compiled program of a language answers."""
+
+    def listed(language, givens, times):
+        if language == "c":
+            return in_c(request.getfixturevalue("program"), givens, times)
+        return in_rust(request.getfixturevalue("rust_program"), givens, times)
+
+    return listed
+
+
+@pytest.fixture(scope="module")
+def answers(listed):
     """Return the states of a language's solver."""
 
     def states(language, givens, times):
         if language == "javascript":
             return np.array([answer["states"] for answer in in_javascript(givens, times)], np.float64)
-        found = in_c(request.getfixturevalue("program"), givens, times)
+        found = listed(language, givens, times)
         assert not found.of_motion.any() and not found.of_times.any()
         return found.states
 
@@ -99,25 +121,31 @@ def test_extremes(answers, language):
 
 
 BROKEN = [
-    ("javascript", "elliptic.js", "1 + e4 * (2 + e4", "1 + e4 * (3 + e4", "nome"),
-    ("javascript", "free_series.js", "q4 * r * r];", "q4 * r * r * 1.01];", "full form of the body"),
-    ("javascript", "free_series.js", "growBy *= q;", "growBy *= 1.01 * q;", "complementary form of the body"),
-    ("javascript", "top_state.js", "qr *= q * q;", "qr *= 1.01 * q * q;", "complementary form of the top"),
-    ("javascript", "phase.js", "+ rate[2] * (high + low)", "", "low words of rates"),
-    ("javascript", "phase.js", " + (rate[0] + rate[1]) * time[2]", "", "rest of the time"),
+    ("javascript", "formulas/common.js", "1 + e4 * (2 + e4", "1 + e4 * (3 + e4", "nome"),
+    ("javascript", "formulas/free_body_setup.js", "q4 * r2;", "q4 * r2 * 1.01;", "full form of the body"),
+    ("javascript", "formulas/free_body.js", "g1 * g1 * q;", "g1 * g1 * q * 1.01;", "complementary form of the body"),
+    ("javascript", "formulas/lagrange_top.js", "w1 = q * r;", "w1 = 1.01 * q * r;", "complementary form of the top"),
+    ("javascript", "formulas/arithmetic.js", " + least * (high + low)", "", "low words of rates"),
+    ("javascript", "formulas/arithmetic.js", " + (upper + lower) * rest", "", "rest of the time"),
     ("c", "polhode.h", "1.0 + e4 * (2.0 + e4", "1.0 + e4 * (3.0 + e4", "nome"),
-    ("c", "polhode.h", "grow_by *= q;", "grow_by *= 1.01 * q;", "complementary form of the body"),
-    ("c", "polhode.h", "qr *= q2;", "qr *= 1.01 * q2;", "complementary form of the top"),
-    ("c", "polhode.h", "+ rate.rest * (t.high + t.low)", "", "low words of rates"),
-    ("c", "polhode.h", " + (rate.upper + rate.lower) * t.rest", "", "rest of the time"),
+    ("c", "polhode.h", "g3 = g2 * g1 * q2;", "g3 = 1.01 * g2 * g1 * q2;", "complementary form of the body"),
+    ("c", "polhode.h", "w3 = q3 * r;", "w3 = 1.01 * q3 * r;", "complementary form of the top"),
+    ("c", "polhode.h", " + least * (high + low)", "", "low words of rates"),
+    ("c", "polhode.h", " + (upper + lower) * rest", "", "rest of the time"),
     ("c", "polhode.h", "phd_top_invariants(&t, &size);", "size = phd_sum_of(t.size); phd_top_invariants(&t, &size);",
+     "|q|² of a planar top"),
+    ("rust", "rust/src/both.rs", " + least * (high + low)", "", "low words of rates"),
+    ("rust", "rust/src/free_body.rs", "g3 = g2 * g1 * q2;", "g3 = 1.01 * g2 * g1 * q2;",
+     "complementary form of the body"),
+    ("rust", "rust/src/lagrange_top.rs", "w3 = q3 * r;", "w3 = 1.01 * q3 * r;", "complementary form of the top"),
+    ("rust", "rust/src/reduction.rs", "invariants(g, &size, l, q)", "invariants(g, &of(distilled(size)), l, q)",
      "|q|² of a planar top"),
 ]  # fmt: skip
 
 
 @pytest.mark.long_after(3)
 @pytest.mark.parametrize("specimen", [
-    pytest.param(b, id=f"{b[0]}: {b[4]}", marks=needs_node if b[0] == "javascript" else needs_compiler) for b in BROKEN
+    pytest.param(b, id=f"{b[0]}: {b[4]}", marks=NEEDS[b[0]]) for b in BROKEN
 ])  # fmt: skip
 def test_a_broken_solver_is_found_out(tmp_path, specimen):
     language, name, good, bad, what = specimen
@@ -128,9 +156,12 @@ def test_a_broken_solver_is_found_out(tmp_path, specimen):
     motions, answers = committed("top" if "top" in what else "body")
     if language == "javascript":
         found = by_javascript(motions, module=tmp_path / "broken" / "polhode.js")
-    else:
+    elif language == "c":
         program = compiled(tmp_path, ("-std=c99",), tmp_path / "broken")
         found = by_c(motions, lambda: program)
+    else:
+        program = compiled_rust(tmp_path, tmp_path / "broken" / "rust", ("-O", "-A", "unused"))
+        found = by_rust(motions, lambda: program)
     assert errors_in_eps(found, answers).worst.max() > PROMISE
 
 
@@ -152,7 +183,7 @@ NUMBERS = {
 }  # fmt: skip
 
 
-IN_C = {  # in the order that run_polhode.c lists them
+LISTED = {  # in the order that the compiled programs list them
     "free": ["energy", "momentum_norm", "encircled_axis", "modulus", "period", "precession_rate",
              "precession_per_period", "flip_interval"],
     "top": ["energy", "nutation_limits", "nutation_limits", "nutation_period", "precession_per_period",
@@ -162,14 +193,14 @@ IN_C = {  # in the order that run_polhode.c lists them
 
 @pytest.mark.parametrize("motion", MOTIONS)
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_numbers_of_the_motion(request, language, motion):
+def test_numbers_of_the_motion(listed, language, motion):
     givens, times = of_table(motion, OF_EACH)
     if motion == "free":
         givens, times = givens + EXTREMES, times + [[0.0]] * len(EXTREMES)
     exact, names = together(givens), list(NUMBERS[motion])
-    if language == "c":
-        names = IN_C[motion]
-        answer = in_c(request.getfixturevalue("program"), givens, times)
+    if language != "javascript":
+        names = LISTED[motion]
+        answer = listed(language, givens, times)
         regimes, columns = answer.regimes.tolist(), list(answer.numbers.T[: len(names)])
     else:
         answers = [a["numbers"] for a in in_javascript(givens, numbers=["regime", *NUMBERS[motion].values()])]
@@ -244,13 +275,13 @@ def test_javascript_refuses_times_that_have_no_phase():
     assert ["`t`" in a.get("refused", "") for a in answers] == [True, True, False]
 
 
-@needs_compiler
-def test_c_says_what_is_wrong(program):
+@pytest.mark.parametrize("language", LANGUAGES[1:])
+def test_compiled_ones_say_what_is_wrong(listed, language):
     numbers = [{k: tuple(map(float, v)) if isinstance(v, tuple) else float(v) for k, v in (GOOD | change).items()}
                for change, _, _ in REFUSED]  # fmt: skip
-    found = in_c(program, [Given(**n) for n in numbers], [[0.0]] * len(REFUSED)).of_motion
+    found = listed(language, [Given(**n) for n in numbers], [[0.0]] * len(REFUSED)).of_motion
     assert found.tolist() == [code for _, _, code in REFUSED]
-    late = in_c(program, [Given(**GOOD)] * 3, [[1e30], [math.nan], [0.5]]).of_times
+    late = listed(language, [Given(**GOOD)] * 3, [[1e30], [math.nan], [0.5]]).of_times
     assert (late[:, 0] != 0).tolist() == [True, True, False]
 
 

@@ -20,7 +20,18 @@ from flint import arb
 import polhode as ph
 from oracle.numpy_alone import compiled_alone, numpy_alone, python_alone, under
 from oracle.optimized import OPTIMIZED
-from reference.solvers import COMPILER, NODE, REFERENCE, Given, compiled, in_c, in_javascript
+from reference.solvers import (
+    COMPILER,
+    NODE,
+    REFERENCE,
+    RUSTC,
+    Given,
+    compiled,
+    compiled_rust,
+    in_c,
+    in_javascript,
+    in_rust,
+)
 from twins.motions import COMMITTED, Motion
 
 States = Callable[[Sequence[Motion]], np.ndarray]
@@ -117,6 +128,17 @@ def by_c(motions, program=program):
     return found.states[:, 0]
 
 
+@cache
+def rust_program() -> Path:
+    return compiled_rust(Path(tempfile.mkdtemp(prefix="polhode-rust-")))
+
+
+def by_rust(motions, program=rust_program):
+    found = in_rust(program(), [Given(*m[1:6]) for m in motions], [[m.time] for m in motions])
+    assert not found.of_motion.any() and not found.of_times.any()
+    return found.states[:, 0]
+
+
 def balls_of(motion) -> list[arb]:
     found = ph.certify(motion_of(*motion[1:6])).state(motion.time)
     return [x.ball for x in (*found.attitude, *found.momentum)]
@@ -129,7 +151,7 @@ def by_balls(motions):
 
 IMPLEMENTATIONS = {
     "NumPy": Implementation(under(numpy_alone, at_once)),
-    "Python, one by one": Implementation(one_by_one, by_default=5, is_swept=False, kernels=("state_at",)),
+    "Python, one by one": Implementation(one_by_one, by_default=5, is_swept=False, kernels=("set_up_one", "state_at")),
     "kernels, by Python": Implementation(under(python_alone, at_once), by_default=10, is_swept=False),
     "kernels, by Numba": Implementation(
         under(compiled_alone, at_once), is_long=True, kernels=("set_up", "states_of_many")),
@@ -140,7 +162,8 @@ IMPLEMENTATIONS = {
     "XLA, jit": Implementation(partial(by_jax, where="compiled", mapped=False), by_default=0, way="compiled"),
     "XLA, vmap": Implementation(partial(by_jax, where="compiled", mapped=True), by_default=0, way="compiled"),
     "XLA, one by one": Implementation(by_xla_one_by_one, by_default=0, way="compiled"),
-    "JavaScript": Implementation(by_javascript, files=("*.js",), needs=NODE),
+    "JavaScript": Implementation(by_javascript, files=("*.js", "formulas/*.js"), needs=NODE),
     "C": Implementation(by_c, files=("polhode.h",), needs=COMPILER),
+    "Rust": Implementation(by_rust, files=("rust",), needs=RUSTC),
     "balls": Implementation(by_balls, by_default=2, is_swept=False),
 }  # fmt: skip

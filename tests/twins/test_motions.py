@@ -165,7 +165,7 @@ def test_every_engine_of_python_has_a_row():
     packages = {module.name for module in pkgutil.iter_modules(polhode.exact.__path__) if module.ispkg}
     assert packages == set(EXACT.values()) and set(EXACT) == set(KINDS)
     entries = {name for row in IMPLEMENTATIONS.values() for name in row.kernels}
-    assert entries == set(COMPILING) | {"state_at"} == set(Kernels._fields) - {"unflatten"}
+    assert entries == set(COMPILING) | {"set_up_one", "state_at"} == set(Kernels._fields) - {"unflatten"}
 
 
 @pytest.mark.parametrize(("page", "words"), [

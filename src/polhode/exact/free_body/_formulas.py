@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 from polhode.exact._formulas import exponent, reduced_argument
 from polhode.exact._kernel_arithmetic import (
     BLOCK,
+    Number,
     Pair,
     Rate,
     Time,
@@ -29,22 +30,29 @@ from polhode.exact._kernel_arithmetic import (
 COLUMNS, SUMMED, SUMS = 50, 25, 4  # numbers of a motion, how many of these its sums take, and of sums
 FIRST, START, SERIES, NOME, Y_TURNS, TO_ATTITUDE, TO_MOMENTUM = (k * BLOCK for k in (1, 7, 9, 19, 22, 25, 41))
 """Rows of numbers of a ``Motion`` in a store."""
-Spinor = tuple[float, float, float, float]  # Re A, Im A, Re B, Im B
+Spinor = tuple[Number, Number, Number, Number]  # Re A, Im A, Re B, Im B
+Five = tuple[Number, Number, Number, Number, Number]
+Ten = tuple[Number, Number, Number, Number, Number, Number, Number, Number, Number, Number]
+Matrix3 = tuple[Number, Number, Number, Number, Number, Number, Number, Number, Number]  # by rows
+Matrix4 = tuple[
+    Number, Number, Number, Number, Number, Number, Number, Number,
+    Number, Number, Number, Number, Number, Number, Number, Number,
+]  # fmt: skip
 State = tuple[float, float, float, float, float, float, float]
 
 
 class Motion(NamedTuple):
     """All that evaluation needs of a body: numbers, or arrays with one for each of many."""
 
-    full: Any  # whether it takes the full form
+    full: Number  # whether it takes the full form
     first: Rate  # full: rate of the phase of A; complementary: half the precession rate [turns per time]
     second: Rate  # full: rate of the phase of B; complementary: rate of u/2K
     start: Pair  # full: (z0/4π, 0); complementary: u0/2K, double-double
-    series: Any  # full: five coefficients of A and of B; complementary: cos and sin of (2n+1)(y/2 − π/4)
-    nome: Any  # complementary: √q1, πK/K' in halves, y/2π, 0 on the separatrix
-    parity: Any  # complementary: half turns of u at the start
-    to_attitude: Any  # by rows: quaternion = matrix (4, 4) · spinor / norm
-    to_momentum: Any  # by rows: momentum = matrix (3, 3) · (n1, n2, n3)
+    series: Ten  # full: five coefficients of A and of B; complementary: cos and sin of (2n+1)(y/2 − π/4)
+    nome: Five  # complementary: √q1, πK/K' in halves, y/2π, 0 on the separatrix
+    parity: Number  # complementary: half turns of u at the start
+    to_attitude: Matrix4  # by rows: quaternion = matrix (4, 4) · spinor / norm
+    to_momentum: Matrix3  # by rows: momentum = matrix (3, 3) · (n1, n2, n3)
 
 
 def unflatten(m: Any) -> Motion:

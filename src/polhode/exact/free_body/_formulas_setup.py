@@ -7,7 +7,7 @@ invariants, so neither elliptic integrals nor logarithms enter the full form. So
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from polhode.exact._formulas import by_theta, nome_per_parameter
 from polhode.exact._kernel_arithmetic import (
@@ -41,8 +41,12 @@ from polhode.exact._kernel_arithmetic import (
     whole,
 )
 from polhode.exact.free_body._formulas import (
+    Five,
+    Matrix3,
+    Matrix4,
     Motion,
     Spinor,
+    Ten,
     complementary_phase,
     complementary_sums,
     full_sums,
@@ -55,8 +59,6 @@ HUGE_INVERSE, HUGE_SCALE = 2.0**-400, 2.0**-200  # a sine above the inverse of t
 LOG_OF_SCALE = (138.62943611198907, -3.3555121496085278e-15)  # 200 ln 2
 NINE_ZEROS = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 SIXTEEN_ZEROS = (*NINE_ZEROS, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-Five = tuple[Number, Number, Number, Number, Number]
-Ten = tuple[Number, Number, Number, Number, Number, Number, Number, Number, Number, Number]
 Matrix = tuple[tuple[Number, Number, Number], tuple[Number, Number, Number], tuple[Number, Number, Number]]
 
 
@@ -282,7 +284,7 @@ def axes_of(body: Reduction) -> Matrix:
     )
 
 
-def matrices(body: Reduction, g: float, attitude: Four, spinor: Spinor) -> tuple[Any, Any]:
+def matrices(body: Reduction, g: float, attitude: Four, spinor: Spinor) -> tuple[Matrix4, Matrix3]:
     """Return by rows the matrices from spinor to attitude and from canonical direction to momentum.
 
     Args:

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 from polhode.exact._formulas import exponent, reduced_argument
 from polhode.exact._kernel_arithmetic import (
     BLOCK,
+    Number,
     Pair,
     Rate,
     Time,
@@ -32,6 +33,7 @@ FIRST, THIRD, START, A_SUM, B_SUM, CONSTANT, NOME, SIGNS, RATES, PHASES, AXIAL, 
 )
 """Rows of numbers of a ``Motion`` in a store."""
 Four = tuple[float, float, float, float]
+Six = tuple[Number, Number, Number, Number, Number, Number]
 State = tuple[float, float, float, float, float, float, float]
 Sums = tuple[float, float, float, float, float, float, float, float, float, float]
 """A, B and their derivatives by z or x', real and imaginary parts, and the phases that these leave, in turns."""
@@ -43,7 +45,7 @@ class Motion(NamedTuple):
     Each series has four terms: q^16 is below 1e-21.
     """
 
-    full: Any  # whether it takes the full form
+    full: Number  # whether it takes the full form
     first: Rate  # of the phase of α [turns per time]
     second: Rate  # of the phase of β
     third: Rate  # full: of z/2π; complementary: of x/2K
@@ -52,13 +54,13 @@ class Motion(NamedTuple):
     a_gap: Four  # full: differences; complementary: factors of cos ky
     b_sum: Four  # full: as of A; complementary: factors of cos ky, k = 2, 4, 6, 8
     b_gap: Four  # full: as of A; complementary: factors of sin ky
-    constant: Any  # complementary: the constant term of B
-    nome: Any  # complementary: q, πK/K' in halves, y_a/π, y_b/π, whether periodic
+    constant: Number  # complementary: the constant term of B
+    nome: Six  # complementary: q, πK/K' in halves, y_a/π, y_b/π, whether periodic
     signs: Pair  # of c' and c
-    rates: tuple[Any, Any]  # of w: twice dz/dt or dx'/dt, twice the sum of the linear rates [momentum]
+    rates: Pair  # of w: twice dz/dt or dx'/dt, twice the sum of the linear rates [momentum]
     phases: Four  # cos, sin of the constant phases of α and β
-    axial: Any  # L3
-    reversed: Any  # −1 where the axis was turned round
+    axial: Number  # L3
+    reversed: Number  # −1 where the axis was turned round
 
 
 def unflatten(m: Any) -> Motion:

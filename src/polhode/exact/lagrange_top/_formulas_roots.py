@@ -14,6 +14,7 @@ from polhode.exact._kernel_arithmetic import (
     Pair,
     Truth,
     add,
+    binary_exponent,
     choice,
     divide,
     multiply,
@@ -22,10 +23,13 @@ from polhode.exact._kernel_arithmetic import (
     scale,
     square,
     subtract,
+    times_power,
     two_square,
+    where,
 )
 from polhode.exact.lagrange_top._formulas import Four
 
+SQUARABLE = -400.0  # binary exponent down to which a square has all its digits
 ONE, ZERO = (1.0, 0.0), (0.0, 0.0)
 Three = tuple[Number, Number, Number]
 Cubic = tuple[Pair, Pair, Pair]
@@ -110,8 +114,13 @@ def quotient(x: Pair, y: Pair) -> Pair:
 
 
 def difference(total: Pair, product: Pair) -> Pair:
-    """Return x + y = √((x − y)² + 4 x y)."""
-    return root_or_zero(add(square(total), scale(product, 4.0)))
+    """Return x + y = √((x − y)² + 4 x y), also where the square underflows."""
+    exponent = binary_exponent(total[0])
+    alone = (product[0] == 0.0) | (binary_exponent(product[0]) < 2.0 * exponent)
+    power = where((total[0] != 0.0) & (exponent < SQUARABLE) & alone, -exponent, 0.0)
+    up = times_power(1.0, power)
+    raised = scale(scale(product, up), up)
+    return scale(root_or_zero(add(square(scale(total, up)), scale(raised, 4.0))), times_power(1.0, -power))
 
 
 def _larger_and_smaller(total: Pair, sum_: Pair, product: Pair) -> tuple[Pair, Pair]:

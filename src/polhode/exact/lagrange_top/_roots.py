@@ -18,7 +18,6 @@ from polhode.special import _doubledouble as dd
 from polhode.special._doubledouble import DoubleDouble
 from polhode.types import Array
 
-SQUARABLE = -400  # binary exponent down to which a square has all its digits
 NEWTON_STEPS = 5  # from the float64 root; three do, two more where float64 was poor
 
 
@@ -65,16 +64,4 @@ def _polished(xp: Any, start: Array, cubic: tuple[DoubleDouble, ...]) -> DoubleD
     return iterate(NEWTON_STEPS, step, dd.from_float(start), like=start)
 
 
-def _difference(sum_: DoubleDouble, product: DoubleDouble) -> DoubleDouble:
-    """Return x + y = √((x − y)² + 4 x y), also where the square underflows."""
-    xp = namespace(sum_[0])
-    _, exponent = xp.frexp(sum_[0])
-    _, of_product = xp.frexp(product[0])
-    alone = (product[0] == 0) | (of_product < 2 * exponent)
-    small = -xp.where((sum_[0] != 0) & (exponent < SQUARABLE) & alone, exponent, 0)
-    up = xp.ldexp(xp.ones_like(sum_[0]), small)
-    scaled, raised = dd.scale(sum_, up), dd.scale(dd.scale(product, up), up)
-    return dd.scale(dd.sqrt(dd.add(dd.square(scaled), dd.scale(raised, 4.0))), xp.ldexp(xp.ones_like(up), -small))
-
-
-FORMULAS = for_arrays(formulas, formulas_roots, formulas_rates, formulas_setup, difference=_difference)
+FORMULAS = for_arrays(formulas, formulas_roots, formulas_rates, formulas_setup)

@@ -1,0 +1,273 @@
+"""What is printed from the formulas: the files are up to date, and what they compute has Python's bits."""
+
+import json
+import math
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from polhode.exact.free_body import _evaluation as body_evaluation
+from polhode.exact.free_body import _formulas as body_formulas
+from polhode.exact.free_body._formulas_rates import frequencies
+from polhode.exact.free_body._formulas_reduction import reduction
+from polhode.exact.free_body._formulas_setup import Given
+from polhode.exact.free_body._formulas_setup import motion_of as body_motion
+from polhode.exact.lagrange_top import _evaluation as top_evaluation
+from polhode.exact.lagrange_top import _formulas as top_formulas
+from polhode.exact.lagrange_top._formulas_rates import frequencies as top_frequencies
+from polhode.exact.lagrange_top._preparation import prepare
+from printing import sources
+from printing.javascript import hump
+from printing.javascript_files import FOLDER, javascript_files
+from printing.language import Root, read
+from printing.sources import source
+from printing.statements import NotAFormula
+from reference.solvers import NODE
+from twins.motions import COMMITTED, committed
+
+EPS = 2.0**-52
+APART = 2.0
+"""In EPS of a state's size, where node's elementary functions are not Python's."""
+OF_EACH, OF_MORE = 2, 20
+"""Motions of each family, and in long tests."""
+needs_node = pytest.mark.skipif(NODE is None, reason="node is missing")
+
+
+# ---------------------------------------------------------------------- the files
+
+
+def test_the_files_are_what_is_printed():
+    """Where this fails, run `python -m printing` in reference/, and read what has changed."""
+    printed = javascript_files()
+    assert {path.name for path in FOLDER.iterdir()} == {path.name for path in printed}
+    for path, text in printed.items():
+        assert path.read_text("utf-8") == text, path.name
+
+
+@pytest.mark.parametrize(("name", "right", "wrong", "file"), [
+    ("exact/_formulas.py", "1.0 + e4 * (2.0 + e4", "1.0 + e4 * (3.0 + e4", "common.js"),
+    ("_kernel_arithmetic.py", "e + (x[1] + y[1]))", "(e + x[1]) + y[1])", "arithmetic.js"),
+    ("_formulas_reduction.py", "swap = other[0] < one[0]", "swap = other[0] <= one[0]", "free_body_reduction.js"),
+])  # fmt: skip
+def test_a_changed_formula_is_seen(monkeypatch, name, right, wrong, file):
+    def changed(path):
+        text = path.read_text("utf-8")
+        if not path.as_posix().endswith(name):
+            return text
+        assert text.count(right) == 1
+        return text.replace(right, wrong)
+
+    monkeypatch.setattr(sources, "text_of", changed)
+    source.cache_clear()
+    try:
+        stale = [path.name for path, text in javascript_files().items() if path.read_text("utf-8") != text]
+    finally:
+        source.cache_clear()
+    assert stale == [file]
+
+
+def test_all_words_are_used_and_stores_are_not_printed():
+    text = "".join(javascript_files().values())
+    words = re.findall(r"^export \w+ (\w+)", (FOLDER.parent / "words.js").read_text("utf-8"), re.MULTILINE)
+    assert len(words) >= 5 and all(f"{word}(" in text for word in words)
+    assert not re.search(r"BLOCK|putRecord|\b(where|choose|iterate)\(", text)
+
+
+# ---------------------------------------------------------------------- what is no formula
+
+
+REFUSED = {  # the body of a function of x, y and pair; why
+    "a method": ("return x.hex()", "no function of a formula: x.hex()"),
+    "an unknown function": ("return print(x)", "no function of a formula: print(x)"),
+    "a comprehension": ("z = [x for _ in (1, 2)]; return x", "no expression of a formula"),
+    "a power": ("return x**3", "no expression of a formula: x ** 3"),
+    "a while": ("while x > 1.0: x = 0.5 * x", "neither assignment"),
+    "a number as a condition": ("return 1.0 if x else x", "neither true nor false: x"),
+    "another type of a name": ("z = x; z = (x, x); return x", "`z` had another type before"),
+    "two types of a choice": ("return x if x > 1.0 else pair", "two types"),
+    "another type returned": ("return pair", "returns"),
+    "an index that is computed": ("return pair[k]", "items are taken by numbers that are written out"),
+    "a tuple of another length": ("a, b, c = pair; return a", "cannot take what has the type"),
+    "what only a branch has": ("if x > 1.0: z = x\n    return z", "unknown: z"),
+    "too few arguments": ("return sum_of(x)", "takes 2 arguments: sum_of(x)"),
+    "a pair for a number": ("return sum_of(x, pair)", "`y` must be"),
+}
+AROUND = """
+def sum_of(x: float, y: float) -> float:
+    return x + y
+
+
+def f(x: float, pair: tuple[float, float], k: int) -> float:
+    {}
+"""
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_what_cannot_be_said_is_refused(tmp_path, monkeypatch, case):
+    text, why = REFUSED[case]
+    name = f"refused_{list(REFUSED).index(case)}"
+    (tmp_path / f"{name}.py").write_text(AROUND.format(text), "utf-8")
+    monkeypatch.syspath_prepend(tmp_path)
+    with pytest.raises(NotAFormula, match=name) as refusal:
+        read([Root(name, "f")])
+    assert why in str(refusal.value)
+
+
+def test_a_parameter_needs_a_type(tmp_path, monkeypatch):
+    (tmp_path / "untyped.py").write_text("def f(x) -> float:\n    return x\n", "utf-8")
+    monkeypatch.syspath_prepend(tmp_path)
+    with pytest.raises(NotAFormula, match="`x` of f has no type"):
+        read([Root("untyped", "f")])
+
+
+# ---------------------------------------------------------------------- what is computed
+
+
+def as_json(value):
+    """Return a value of Python's formulas as node has it: a record is an object, and what is not finite is text."""
+    if hasattr(value, "_asdict"):
+        return {hump(name): as_json(x) for name, x in value._asdict().items()}
+    if isinstance(value, tuple):
+        return [as_json(x) for x in value]
+    if isinstance(value, bool) or math.isfinite(value):
+        return value
+    return {"nan": "NaN", "inf": "Infinity", "-inf": "-Infinity"}[str(value)]
+
+
+def by_node(calls, folder=FOLDER):
+    """Return the values of printed formulas, each called as (file, function, arguments)."""
+    command = [NODE, Path(__file__).parent / "run_formulas.mjs", folder.as_uri() + "/"]
+    text = json.dumps([(file, name, as_json(given)) for file, name, given in calls])
+    done = subprocess.run(command, input=text, text=True, capture_output=True, timeout=300, check=False)
+    assert not done.returncode, done.stderr
+    return json.loads(done.stdout)
+
+
+def numbers(value):
+    """Return all numbers of a value of JSON."""
+    if isinstance(value, dict):
+        value = list(value.values())
+    return [x for each in value for x in numbers(each)] if isinstance(value, list) else [float(value)]
+
+
+def differences(found, wanted):
+    """Return the calls whose numbers are not all the same."""
+    return [k for k, (x, y) in enumerate(zip(found, wanted, strict=True)) if repr(numbers(x)) != repr(numbers(y))]
+
+
+def first_of_each(kind, count):
+    """Return the first motions of each family, each with what a closed form takes of it."""
+    chosen = [m for k, m in enumerate(committed(kind)[0]) if k % COMMITTED < count]
+    more = lambda m: () if m.mgl is None else ((m.mgl,),)  # noqa: E731
+    return [(m, (m.moments, *more(m), m.momentum, m.attitude)) for m in chosen]
+
+
+OF_THE_TABLE = pytest.mark.parametrize("count", [OF_EACH, pytest.param(OF_MORE, marks=pytest.mark.long)])
+
+
+@needs_node
+@OF_THE_TABLE
+def test_reduction_and_frequencies_have_the_same_bits(count):
+    given = [(moments, momentum) for _, (moments, momentum, _) in first_of_each("body", count)]
+    reduced = [reduction(*each) for each in given]
+    found = by_node([("free_body_reduction.js", "reduction", each) for each in given])
+    assert not differences(found, [as_json(each) for each in reduced])
+    found = by_node([("free_body_rates.js", "frequencies", (each,)) for each in reduced])
+    assert not differences(found, [as_json(frequencies(each)) for each in reduced])
+
+
+WITHOUT_FUNCTIONS = ("full", "first", "second", "parity", "toMomentum")
+"""What of a motion takes no elementary function of node's."""
+MOST_TIMES = 9.0
+"""So many times an angle is taken in the series of the complementary form, and so its last digit."""
+
+
+@needs_node
+@OF_THE_TABLE
+def test_set_up_has_the_same_bits_but_for_elementary_functions(count):
+    calls, wanted = [], []
+    for _, (moments, momentum, attitude) in first_of_each("body", count):
+        body = reduction(moments, momentum)
+        given = Given(moments, momentum, attitude, body, frequencies(body))
+        calls.append(("free_body_setup.js", "motionOf", (given,)))
+        wanted.append(as_json(body_motion(given)))
+    found = by_node(calls)
+    for name in WITHOUT_FUNCTIONS:
+        assert not differences([each[name] for each in found], [each[name] for each in wanted]), name
+    for name, times in (("start", 1.0), ("nome", 1.0), ("toAttitude", 1.0), ("series", MOST_TIMES)):
+        ours, theirs = (np.array([numbers(each[name]) for each in x]) for x in (wanted, found))
+        assert (np.abs(ours - theirs) <= times * APART * EPS * np.maximum(1.0, np.abs(ours))).all(), name
+
+
+def one_of(value, k):
+    """Return one of a record of arrays, with single numbers."""
+    if isinstance(value, tuple):
+        parts = [one_of(x, k) for x in value]
+        return type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
+    return np.asarray(value)[k].item()
+
+
+@needs_node
+@OF_THE_TABLE
+def test_turning_points_and_frequencies_of_a_top_have_the_same_bits(count):
+    given = [np.array(x) for x in zip(*(arguments for _, arguments in first_of_each("top", count)), strict=True)]
+    with np.errstate(all="ignore"):
+        _, tops, points, _ = prepare(*given)
+    calls, wanted = [], []
+    for k in range(len(given[0])):
+        top, its_points = one_of(tops, k), one_of(points, k)
+        try:
+            wanted.append(as_json(top_frequencies(top, its_points)))
+        except ArithmeticError:  # at rest or on the separatrix, where Python divides by no zero
+            continue
+        calls.append(("lagrange_top_rates.js", "frequencies", (top, its_points)))
+    assert len(calls) > 0.7 * len(given[0])
+    assert not differences(by_node(calls), wanted)
+
+
+def states(kind, count, folder=FOLDER):
+    """Return states (N, 7) by node and by Python from the same constants, sizes of momenta, and which form is full."""
+    form, formulas = FORMS[kind]
+    columns = [form.columns(tuple(map(np.array, given))).tolist() for _, given in first_of_each(kind, count)]
+    times = [motion.time for motion, _ in first_of_each(kind, count)]
+    file = f"{formulas.__name__.split('.')[-2]}.js"
+    found = by_node([(file, "stateAt", (formulas.unflatten(tuple(column)), time, 0.0))
+                     for column, time in zip(columns, times, strict=True)], folder)  # fmt: skip
+    wanted = [form.state(tuple(column), time, 0.0) for column, time in zip(columns, times, strict=True)]
+    sizes = committed(kind)[1].sizes[[k for k in range(len(committed(kind)[0])) if k % COMMITTED < count]]
+    return np.array(found, np.float64), np.array(wanted), sizes, np.array([column[0] != 0.0 for column in columns])
+
+
+FORMS = {"body": (body_evaluation.FORM, body_formulas), "top": (top_evaluation.FORM, top_formulas)}
+
+
+@needs_node
+@pytest.mark.parametrize("kind", FORMS)
+@OF_THE_TABLE
+def test_states_have_the_same_bits_but_for_the_exponential(kind, count, announce):
+    found, wanted, sizes, full = states(kind, count)
+    assert full.any() and not full.all()
+    assert (found[full] == wanted[full]).all()
+    units = np.where(np.arange(7) < 4, 1.0, np.where(sizes > 0.0, sizes, 1.0)[:, None])
+    apart = np.abs(found - wanted) / (units * EPS)
+    same = (found == wanted).mean()
+    announce(f"states of a {kind} by node: {same:.2%} have Python's bits, worst {apart.max():.2f} eps")
+    assert apart.max() <= APART
+
+
+@needs_node
+def test_another_order_of_a_sum_is_seen(tmp_path):
+    shutil.copytree(FOLDER, tmp_path / "formulas")
+    shutil.copy(FOLDER.parent / "words.js", tmp_path)
+    shutil.copy(FOLDER.parent / "package.json", tmp_path)
+    path, right = tmp_path / "formulas" / "arithmetic.js", "na + (nb + nc) + more"
+    fraction = "[fraction - more, error + (middleError + d)"
+    text = path.read_text("utf-8")
+    assert text.count(right) == text.count(fraction) == 1
+    path.write_text(text.replace(fraction, "[fraction - more, error + middleError + d"), "utf-8")
+    found, wanted, *_ = states("body", OF_EACH, tmp_path / "formulas")
+    assert (found != wanted).any()
