@@ -87,7 +87,8 @@ def words_of(node: ast.Constant | ast.JoinedStr) -> str:
 
 def names_checked(tree: ast.Module) -> set[int]:
     """Return the texts, by their ``id``, that functions of ``check`` are given as names of arguments."""
-    calls = (node for node in ast.walk(tree) if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute))
+    calls = (node for node in ast.walk(tree)
+             if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.args)
     return {id(call.args[0]) for call in calls
             if isinstance(call.func.value, ast.Name) and call.func.value.id == "check"}  # fmt: skip
 

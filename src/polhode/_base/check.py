@@ -34,30 +34,13 @@ def subject(name: str) -> str:
 
 
 def refuse(name: str, rule: str, value: Any, remedy: str = "", error: type[InvalidInput] = InvalidInput) -> NoReturn:
-    """Raise the sentence of all checks.
-
-    Args:
-        name: of the argument, or a phrase for it.
-        rule: what it must be.
-        value: what it is.
-        remedy: one or more sentences.
-        error: which kind.
-    """
+    """Raise the sentence of all checks, about an argument or a phrase, what it must be, what it is and the remedy."""
     _raise(name, rule, shown(value), remedy, error)
 
 
 def number(
-    name: str,
-    value: Any,
-    unit: str = "",
-    *,
-    above: float | None = None,
-    least: float | None = None,
-    below: float | None = None,
-    most: float | None = None,
-    infinite: bool = False,
-    rule: str = "",
-    remedy: str = "",
+    name: str, value: Any, unit: str = "", *, above: float | None = None, least: float | None = None,
+    below: float | None = None, most: float | None = None, infinite: bool = False, rule: str = "", remedy: str = "",
 ) -> float:
     """Return one real number as a float.
 
@@ -101,8 +84,7 @@ def whole(
     """Return one whole number as an int.
 
     Args:
-        name, remedy: as for ``number``.
-        value: Python's or NumPy's whole number.
+        name, value, remedy: as for ``number``.
         least, most: bounds that it may equal.
         what: it counts, for the message.
 
@@ -127,14 +109,8 @@ def one_of(
 ) -> str:
     """Return a word, one of several.
 
-    Args:
-        name, remedy: as for ``number``.
-        value: anything.
-        names: the words.
-        error: which kind to raise.
-
     Raises:
-        InvalidInput: or the other kind, for anything else.
+        InvalidInput: or the kind ``error``, for anything else.
 
     >>> one_of("frame", "orbit", ("body", "space"))
     Traceback (most recent call last):
@@ -150,13 +126,8 @@ def one_of(
 def instance(name: str, value: Any, kinds: type[Kind] | tuple[type[Kind], ...], rule: str, remedy: str = "") -> Kind:
     """Return an object of a class, or of one of several.
 
-    Args:
-        name, rule, remedy: as for ``refuse``.
-        value: anything.
-        kinds: the classes.
-
     Raises:
-        InvalidInput: for anything else.
+        InvalidInput: for anything else, with the rule and the remedy.
     """
     if not isinstance(value, kinds):
         refuse(name, rule, value, remedy)
@@ -164,18 +135,9 @@ def instance(name: str, value: Any, kinds: type[Kind] | tuple[type[Kind], ...], 
 
 
 def array(
-    name: str,
-    value: Any,
-    shape: Sequence[int | str] | None = None,
-    unit: str = "",
-    *,
-    above: float | None = None,
-    least: float | None = None,
-    ascending: bool = False,
-    not_all_zero: bool = False,
-    traced: bool = False,
-    rule: str = "",
-    remedy: str = "",
+    name: str, value: Any, shape: Sequence[int | str] | None = None, unit: str = "", *, above: float | None = None,
+    least: float | None = None, ascending: bool = False, not_all_zero: bool = False, traced: bool = False,
+    rule: str = "", remedy: str = "",
 ) -> Any:
     """Return finite numbers as an array of float64.
 
