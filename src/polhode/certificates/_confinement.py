@@ -207,7 +207,7 @@ def _try_weights(
     weights = {name: sign * w for name, w in weights.items() if w}
     half = sign * half
     rows = {name: g for name, g in equations.slopes.items() if any(g) and name != ENERGY}
-    degrees = {name: equations.conserved[name].total_degree() for name in rows}
+    degrees = {name: int(equations.conserved[name].total_degree()) for name in rows}
     squares, low = _grow_squares(as_floats(half), rows, equations.along)
     if low > _unsure(half):
         squares, low = _drop_squares(as_floats(half), {**rows, "": equations.along}, squares, degrees)

@@ -90,7 +90,7 @@ def polynomial_integrals(
     H = over.read(system.hamiltonian)
     flow = over.flow(H)
     # an integral of low degree may be a difference of products of higher degree, as L3 is of H and |L|²
-    highest = max([degree, *(sum(m) for m in H.monoms())])
+    highest = max([degree, *(int(sum(m)) for m in H.monoms())])
     known = [over.read(C) for C in bracket.casimirs(highest)]
     if moves := {m: c for m, c in H.terms() if any(m)}:
         known.append(over.space.from_dict(moves))
