@@ -10,6 +10,7 @@ from typing import Any
 from polhode._base.arrays import iterate, namespace
 from polhode.exact._array_arithmetic import for_arrays
 from polhode.exact.lagrange_top import _formulas as formulas
+from polhode.exact.lagrange_top import _formulas_integrals as formulas_integrals
 from polhode.exact.lagrange_top import _formulas_rates as formulas_rates
 from polhode.exact.lagrange_top import _formulas_roots as formulas_roots
 from polhode.exact.lagrange_top import _formulas_setup as formulas_setup
@@ -77,4 +78,6 @@ def _difference(sum_: DoubleDouble, product: DoubleDouble) -> DoubleDouble:
     return dd.scale(dd.sqrt(dd.add(dd.square(scaled), dd.scale(raised, 4.0))), xp.ldexp(xp.ones_like(up), -small))
 
 
-FORMULAS = for_arrays(formulas, formulas_roots, formulas_rates, formulas_setup, difference=_difference)
+FORMULAS = for_arrays(
+    formulas, formulas_roots, formulas_rates, formulas_integrals, formulas_setup, difference=_difference
+)
