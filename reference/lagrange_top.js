@@ -1,10 +1,11 @@
 // The Lagrange top in closed form, at any time.
 import { asState, checkedRange, elapsedTime, finite, orNull, positiveMoments, unitQuaternion, vector } from "./checking.js";
 import { stateAt } from "./formulas/lagrange_top.js";
-import { integrals, turningPoints } from "./formulas/lagrange_top_integrals.js";
+import { integralsOf } from "./formulas/lagrange_top_integrals.js";
 import { numbers } from "./formulas/lagrange_top_numbers.js";
 import { frequencies } from "./formulas/lagrange_top_rates.js";
 import { arguments_ as lattice, motionOf } from "./formulas/lagrange_top_setup.js";
+import { turningPoints } from "./formulas/lagrange_top_turning_points.js";
 import { normalize, rotate } from "./quaternion.js";
 import { reducedTop } from "./top_reduction.js";
 
@@ -54,7 +55,7 @@ export class LagrangeMotion {
     const rates = frequencies(top, points);
     const turning = Math.max(...L.map((x, k) => Math.abs(x / this.moments[k])));
     this._fastest = turning + Math.sqrt(Math.abs(this.mgl) / this.moments[0]);
-    const at = lattice(top, points, rates, integrals(top, points, rates));
+    const at = lattice(top, points, rates, integralsOf(top, points, rates));
     this._motion = motionOf({ top, points, rates, at, axial: L[2] });
     const { first, second, third, start, rates: ofMomentum, phases } = this._motion;
     checkedRange([this._fastest, ...first, ...second, ...third, ...start, ...ofMomentum, ...phases]);

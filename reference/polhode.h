@@ -2413,6 +2413,80 @@ static inline phd_seven phd_top_state_at(const phd_top_motion_record *m, double 
     return phd_top_state_of(m, phd_top_complementary_sums(m, a, b, c, e0, R));
 }
 
+/* from the root in single numbers; three do, two more where that was poor */
+static const int PHD_TOP_NEWTON_STEPS = 5;
+/* of cos(⅓ acos x), 0 ≤ x ≤ 1, to 2e-4 */
+static const double PHD_TOP_BEGIN = 0.8660254;
+static const double PHD_TOP_SLOPE = 0.1642;
+static const double PHD_TOP_CURVE = -0.0302;
+/* Return the largest root of x³ + bx² + cx + d, whose roots are real, if cos 3φ is not negative; and cos 3φ. */
+static inline phd_pair phd_top_largest_root(double b, double c, double d)
+{
+    /* Viète: x = 2r cos φ − b/3 with r = √(−P/3) and cos 3φ = −Q/2r³ */
+    const double third = b / 3.0;
+    const double p = c - b * third;
+    const double q = 2.0 * (third * third) * third - third * c + d;
+    const double r = sqrt(phd_larger(-p / 3.0, 0.0));
+    const double cosine = r > 0.0 ? -0.5 * q / (r * r * r) : 1.0;
+    const double x = phd_smaller(phd_larger(cosine, 0.0), 1.0);
+    /* cos φ is a root of 4 y³ − 3 y = x */
+    double y = PHD_TOP_BEGIN + x * (PHD_TOP_SLOPE + x * PHD_TOP_CURVE);
+    y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
+    y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
+    return phd_make_pair(2.0 * r * y - third, cosine);
+}
+
+typedef struct {
+    phd_pair first;
+    phd_three_pairs second;
+} phd_pair_three_pairs;
+
+static inline phd_pair_three_pairs phd_make_pair_three_pairs(phd_pair first, phd_three_pairs second)
+{
+    phd_pair_three_pairs all;
+    all.first = first; all.second = second;
+    return all;
+}
+
+/* Return a root after a step of Newton's. */
+static inline phd_pair_three_pairs phd_top_nearer(phd_pair_three_pairs state)
+{
+    const phd_pair x = state.first;
+    const phd_three_pairs cubic = state.second;
+    const phd_pair b = cubic.at[0], c = cubic.at[1], d = cubic.at[2];
+    const phd_pair value = phd_add(phd_multiply(phd_add(phd_multiply(phd_add(x, b), x), c), x), d);
+    const phd_pair slope = phd_add(phd_multiply(phd_add(phd_add(phd_scale(x, 2.0), x), phd_scale(b, 2.0)), x), c);
+    const phd_pair change = phd_divide(value, slope);
+    const int is_finite = change.hi - change.hi == 0.0;
+    return phd_make_pair_three_pairs(is_finite ? phd_subtract(x, change) : x, cubic);
+}
+
+/* Return the turning points of a top. */
+static inline phd_top_turning_points_record phd_top_turning_points(const phd_top_reduction_record *top)
+{
+    const int weightless = !(top->G.hi > 0.0);
+    const phd_pair safe = weightless ? PHD_TOP_ONE : top->G;
+    const phd_pair p2 = phd_square(top->p);
+    const phd_pair c2 = phd_square(top->c);
+    const phd_pair_two_three_pairss of_cubics = phd_top_cubics(top->momentum.at[2], top->G,
+        phd_divide(PHD_TOP_ONE, safe), top->s0, top->t0, top->u0, top->w2, top->twist, p2, c2, top->D, top->F);
+    const phd_pair f1 = of_cubics.first;
+    const phd_three_pairs of_y = of_cubics.second, of_s = of_cubics.third;
+    const phd_pair of_largest_root = phd_top_largest_root(of_y.at[0].hi, of_y.at[1].hi, of_y.at[2].hi);
+    const double y = of_largest_root.hi, cosine = of_largest_root.lo;
+    const phd_pair of_largest_root_2 = phd_top_largest_root(of_s.at[0].hi, of_s.at[1].hi, of_s.at[2].hi);
+    const double s = of_largest_root_2.hi;
+    const int upper = cosine >= 0.0 || weightless;
+    const phd_three_pairs cubic = phd_make_three_pairs(upper ? of_y.at[0] : of_s.at[0], upper ? of_y.at[1] : of_s.at[1],
+        upper ? of_y.at[2] : of_s.at[2]);
+    phd_pair_three_pairs running = phd_make_pair_three_pairs(phd_make_pair(upper ? y : s, 0.0), cubic);
+    for (int k = 0; k < PHD_TOP_NEWTON_STEPS; k++) {
+        running = phd_top_nearer(running);
+    }
+    const phd_pair lone = running.first;
+    return phd_top_turning_points_of(upper, lone, top->G, safe, top->s0, top->t0, p2, c2, top->c_plus, top->F, f1);
+}
+
 /* Rates by τ = t/I1 in scaled units; all but the signs and flags are double-double. */
 typedef struct {
     phd_pair half_root; /* W = ½√A: x = x0 + W τ */
@@ -2618,7 +2692,10 @@ static inline phd_two_pairs phd_top_phase_rates(const phd_top_reduction_record *
         phd_top_turns_per_time(beta, i1, top->rate_scale));
 }
 
-static const phd_four PHD_TOP_NO_TERMS = {{0.0, 0.0, 0.0, 0.0}};
+static const int PHD_TOP_MOST_STEPS = 40;
+/* of the spread, whose eighth power is what the closing formula leaves */
+static const double PHD_TOP_CLOSE = 0.01;
+static const double PHD_TOP_CLOSER = 0.002;
 /* Elliptic integrals of the first kind. */
 typedef struct {
     double v_alpha; /* distances of α's and β's poles from the real axis; infinite where the tilt stays */
@@ -2636,6 +2713,263 @@ static inline phd_top_integrals_record phd_make_top_integrals_record(double v_al
     return all;
 }
 
+/* Return what R_F is more than one over the root of the mean, of relative distances from it (DLMF 19.36.1). */
+static inline double phd_top_series(double x, double y)
+{
+    const double z = -x - y;
+    const double second = x * y - z * z;
+    const double third = x * y * z;
+    double higher = second * second * (1.0 / 24.0 - second * (5.0 / 208.0)) - second * third * (3.0 / 44.0);
+    higher = higher + third * (3.0 / 104.0 * third + 0.0625 * second * second);
+    return higher + third * (1.0 / 14.0) - 0.1 * second;
+}
+
+/* Return the largest distance from the mean over it. */
+static inline double phd_top_widest(double x, double y, double z)
+{
+    const double mean = (x + y + z) / 3.0;
+    return phd_larger(phd_larger(fabs(mean - x), fabs(mean - y)), fabs(mean - z)) / mean;
+}
+
+/* Return numbers of equal R_F, nearer to each other (DLMF §19.26(iii)). */
+static inline phd_three phd_top_duplicated(phd_three now)
+{
+    const double x = now.at[0], y = now.at[1], z = now.at[2];
+    const double a = sqrt(x);
+    const double b = sqrt(y);
+    const double c = sqrt(z);
+    const double more = a * b + b * c + c * a;
+    return phd_make_three(0.25 * (x + more), 0.25 * (y + more), 0.25 * (z + more));
+}
+
+/* Return whether the closing formula has all digits of a float. */
+static inline int phd_top_is_close(phd_three now)
+{
+    return phd_top_widest(now.at[0], now.at[1], now.at[2]) <= PHD_TOP_CLOSE;
+}
+
+/* Return R_F of numbers next to each other, NaN of others. */
+static inline double phd_top_closed(phd_three now)
+{
+    const double x = now.at[0], y = now.at[1], z = now.at[2];
+    const double mean = (x + y + z) / 3.0;
+    return phd_top_is_close(now) ? (1.0 + phd_top_series(1.0 - x / mean, 1.0 - y / mean)) / sqrt(mean) : NAN;
+}
+
+/* Return duplicated in double-double. */
+static inline phd_three_pairs phd_top_duplicated_sharply(phd_three_pairs now)
+{
+    const phd_pair x = now.at[0], y = now.at[1], z = now.at[2];
+    const phd_pair a = phd_root_or_zero(x);
+    const phd_pair b = phd_root_or_zero(y);
+    const phd_pair c = phd_root(z);
+    const phd_pair more = phd_add(phd_multiply(a, phd_add(b, c)), phd_multiply(b, c));
+    return phd_make_three_pairs(phd_scale(phd_add(x, more), 0.25), phd_scale(phd_add(y, more), 0.25),
+        phd_scale(phd_add(z, more), 0.25));
+}
+
+/* Return whether the closing formula has the digits that a phase wants. */
+static inline int phd_top_is_closer(phd_three_pairs now)
+{
+    return phd_top_widest(now.at[0].hi, now.at[1].hi, now.at[2].hi) <= PHD_TOP_CLOSER;
+}
+
+/* Return closed in double-double. */
+static inline phd_pair phd_top_closed_sharply(phd_three_pairs now)
+{
+    const phd_pair x = now.at[0], y = now.at[1], z = now.at[2];
+    const phd_pair one = PHD_TOP_ONE;
+    const phd_pair mean = phd_divide(phd_add(phd_add(x, y), z), phd_make_pair(3.0, 0.0));
+    const double apart = phd_top_series(1.0 - phd_divide(x, mean).hi, 1.0 - phd_divide(y, mean).hi);
+    return phd_top_is_closer(now)
+        ? phd_divide(phd_add(one, phd_make_pair(apart, 0.0 * apart)), phd_root(mean))
+        : phd_make_pair(NAN, NAN);
+}
+
+/* Return x, y and c of an integral √c R_F(x, y, 1), v of α. */
+static inline phd_three phd_top_pole_of_alpha(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points)
+{
+    (void)top;
+    const double d = points->d.hi;
+    const double t2 = points->t2.hi;
+    return phd_make_three(d / t2, d * points->Z_plus.hi / (points->A.hi * t2), points->t1.hi / t2);
+}
+
+/* Return the like of v of β. */
+static inline phd_three phd_top_pole_of_beta(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points)
+{
+    (void)top;
+    const double d = points->d.hi;
+    const double s1 = points->s1.hi;
+    const double b = points->B.hi;
+    return phd_make_three(d * points->Z_minus.hi / (s1 * b), d / s1, points->s2.hi * points->A.hi / (s1 * b));
+}
+
+/* Return the like of K' − v of α. */
+static inline phd_three phd_top_rest_of_alpha(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points)
+{
+    const double g = top->G.hi;
+    const double z = points->Z_plus.hi;
+    return phd_make_three(g * points->t1.hi / z, g * points->t2.hi / z, points->A.hi / z);
+}
+
+/* Return the like of K' − v of β. */
+static inline phd_three phd_top_rest_of_beta(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points)
+{
+    const double g = top->G.hi;
+    const double b = points->B.hi;
+    return phd_make_three(g * points->s2.hi / b, g * points->s1.hi / points->A.hi, points->Z_minus.hi / b);
+}
+
+/* Return the like of the start's distance from the lowest place, in double-double. */
+static inline phd_three_pairs phd_top_place_of_start(const phd_top_turning_points_record *points)
+{
+    return phd_make_three_pairs(phd_divide(points->from_upper, points->d), phd_divide(points->Y, points->A),
+        phd_divide(points->from_lower, points->d));
+}
+
+/* Return √c R_F(x, y, 1), or some number where there is none. */
+static inline double phd_top_integral(int idle, phd_three terms)
+{
+    const double x = terms.at[0], y = terms.at[1], c = terms.at[2];
+    const double total = x + y;
+    int good = (idle ? 0.0 : total) > 0.0;
+    good = good && total < INFINITY;
+    const phd_three start = phd_make_three(good ? x : 1.0, good ? y : 1.0, 1.0 + 0.0 * x);
+    phd_three running = start;
+    for (int k = 0; k < PHD_TOP_MOST_STEPS; k++) {
+        if (phd_top_is_close(running)) {
+            break;
+        }
+        running = phd_top_duplicated(running);
+    }
+    return sqrt(c) * phd_top_closed(running);
+}
+
+static inline phd_pair phd_top_sharp_integral(int idle, phd_three_pairs terms)
+{
+    const phd_pair x = terms.at[0], y = terms.at[1], c = terms.at[2];
+    const double total = x.hi + y.hi;
+    const phd_pair one = PHD_TOP_ONE;
+    int good = (idle ? 0.0 : total) > 0.0;
+    good = good && total < INFINITY;
+    const phd_three_pairs start = phd_make_three_pairs(good ? x : one, good ? y : one, one);
+    phd_three_pairs running = start;
+    for (int k = 0; k < PHD_TOP_MOST_STEPS; k++) {
+        if (phd_top_is_closer(running)) {
+            break;
+        }
+        running = phd_top_duplicated_sharply(running);
+    }
+    return phd_multiply(phd_root_or_zero(c), phd_top_closed_sharply(running));
+}
+
+/* Return the integrals of a top. */
+static inline phd_top_integrals_record phd_top_integrals_of(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points, const phd_top_frequencies_record *rates)
+{
+    const int idle = rates->permanent || rates->steady;
+    const int separatrix = rates->separatrix;
+    const double d = points->d.hi;
+    double v_alpha = phd_top_integral(idle, phd_top_pole_of_alpha(top, points));
+    double v_beta = phd_top_integral(idle, phd_top_pole_of_beta(top, points));
+    v_alpha = separatrix ? atan2(sqrt(points->t1.hi), sqrt(d)) : v_alpha;
+    v_beta = separatrix || points->s2.hi == 0.0 ? 0.0 : v_beta;
+    /* where the tilt stays the pole is infinitely far: only e^−y = 0 enters */
+    const double still = rates->steady ? INFINITY : 0.0;
+    const phd_pair x0 = phd_top_sharp_integral(idle, phd_top_place_of_start(points));
+    return phd_make_top_integrals_record(idle ? still : v_alpha, idle ? still : v_beta,
+        phd_top_integral(idle, phd_top_rest_of_alpha(top, points)),
+        phd_top_integral(idle, phd_top_rest_of_beta(top, points)), idle && d <= 0.0 ? PHD_TOP_ZERO : x0);
+}
+
+/* What a top's motion is like; what is infinite is inf, what is undefined NaN. */
+typedef struct {
+    /* 0 rest, 1 sleeping, 2 hanging, 3 steady, 4 free, 5 planar, 6 undulating, 7 cusp, 8 loop, 9 separatrix */
+    double regime;
+    double lowest; /* of the cosine of the tilt from the upward vertical */
+    double highest;
+    double period; /* of the nutation; of a steady top that of its smallest nutations */
+    double precession_per_period; /* azimuth gained by the axis in a period, unreduced */
+    double spin_per_period; /* the body's own turn in a period, unreduced */
+} phd_top_numbers_record;
+
+static inline phd_top_numbers_record phd_make_top_numbers_record(double regime, double lowest, double highest,
+    double period, double precession_per_period, double spin_per_period)
+{
+    phd_top_numbers_record all;
+    all.regime = regime; all.lowest = lowest; all.highest = highest; all.period = period;
+    all.precession_per_period = precession_per_period; all.spin_per_period = spin_per_period;
+    return all;
+}
+
+/* Return u from the smaller of 1 − u and 1 + u. */
+static inline double phd_top_cosine(phd_pair s, phd_pair t)
+{
+    const phd_pair one = phd_make_pair(1.0, 0.0);
+    return s.hi < t.hi ? phd_subtract(one, s).hi : phd_subtract(t, one).hi;
+}
+
+/* Signs of polynomials in the given floats decide; only the steady top needs the computed gap u2 − u1.
+
+   The azimuth is at rest where p_φ = a u; there |w|² = lean/a, which is positive inside the nutation's range. */
+static inline double phd_top_regime(const phd_top_reduction_record *top, const phd_top_frequencies_record *rates)
+{
+    const double a = top->momentum.at[2];
+    const double c = top->c.hi;
+    const double c_plus = top->c_plus.hi;
+    const double lean = top->lean.hi;
+    const double along = a < 0.0 ? -lean : lean;
+    /* the place p_φ/a is a tilt: −1 < p_φ/a < 1 */
+    const int within = c * a < 0.0 && c_plus * a > 0.0;
+    double code = within && along > 0.0 ? 8.0 : 6.0;
+    code = within && along == 0.0 ? 7.0 : code;
+    code = a == 0.0 && c == 0.0 ? 5.0 : code;
+    code = rates->steady ? 3.0 : code;
+    code = rates->separatrix ? 9.0 : code;
+    code = rates->permanent ? (top->s0.hi == 0.0 ? 1.0 : 2.0) : code;
+    code = top->G.hi == 0.0 ? 4.0 : code;
+    return a == 0.0 && rates->permanent ? 0.0 : code;
+}
+
+static inline double phd_top_by_kind(const phd_top_frequencies_record *rates, double permanent, double separatrix,
+    double periodic)
+{
+    return rates->permanent ? permanent : rates->separatrix ? separatrix : periodic;
+}
+
+/* Return the numbers of a top. */
+static inline phd_top_numbers_record phd_top_numbers(const phd_top_reduction_record *top,
+    const phd_top_turning_points_record *points, const phd_top_frequencies_record *rates)
+{
+    double lower = phd_top_cosine(points->s1, points->t1);
+    double upper = phd_top_cosine(points->s2, points->t2);
+    lower = rates->permanent ? top->u0.hi : lower;
+    upper = rates->permanent ? top->u0.hi : upper;
+    const phd_pair pi = PHD_PI;
+    /* α = cos(θ/2) e^{i(φ + ψ)/2}, β = sin(θ/2) e^{i(φ − ψ)/2} up to a constant phase: φ = arg α + arg β,
+       ψ = arg α − arg β. In a period, π/ϖ by τ, each argument gains its linear part, and half a turn by its thetas */
+    const phd_pair turn_alpha = phd_add(phd_divide(rates->alpha, rates->nutation),
+        phd_make_pair(rates->sign_alpha, 0.0 * rates->sign_alpha));
+    const phd_pair turn_beta = phd_add(phd_divide(rates->beta, rates->nutation),
+        phd_make_pair(rates->sign_beta, 0.0 * rates->sign_beta));
+    const phd_pair spin = phd_divide(rates->spin, rates->nutation);
+    const double precession = phd_multiply(pi, phd_add(turn_alpha, turn_beta)).hi;
+    double own_turn = phd_multiply(pi, phd_add(phd_subtract(turn_alpha, turn_beta), spin)).hi;
+    const double period = phd_divide(phd_multiply_float(pi, top->moments.hi),
+        phd_scale(rates->nutation, top->rate_scale)).hi;
+    /* never −0 */
+    own_turn = (top->reversed ? -1.0 : 1.0) * own_turn + 0.0;
+    return phd_make_top_numbers_record(phd_top_regime(top, rates), top->reversed ? -upper : lower,
+        top->reversed ? -lower : upper, phd_top_by_kind(rates, NAN, INFINITY, period),
+        phd_top_by_kind(rates, NAN, NAN, precession), phd_top_by_kind(rates, NAN, NAN, own_turn));
+}
+
+static const phd_four PHD_TOP_NO_TERMS = {{0.0, 0.0, 0.0, 0.0}};
 /* The modulus and the places of start and poles in the lattice. */
 typedef struct {
     int full;
@@ -3100,239 +3434,6 @@ static inline phd_top_motion_record phd_top_motion_of(const phd_top_given_record
     return phd_top_motion_with_phases(given, &motion, &timing);
 }
 
-/* What a top's motion is like; what is infinite is inf, what is undefined NaN. */
-typedef struct {
-    /* 0 rest, 1 sleeping, 2 hanging, 3 steady, 4 free, 5 planar, 6 undulating, 7 cusp, 8 loop, 9 separatrix */
-    double regime;
-    double lowest; /* of the cosine of the tilt from the upward vertical */
-    double highest;
-    double period; /* of the nutation; of a steady top that of its smallest nutations */
-    double precession_per_period; /* azimuth gained by the axis in a period, unreduced */
-    double spin_per_period; /* the body's own turn in a period, unreduced */
-} phd_top_numbers_record;
-
-static inline phd_top_numbers_record phd_make_top_numbers_record(double regime, double lowest, double highest,
-    double period, double precession_per_period, double spin_per_period)
-{
-    phd_top_numbers_record all;
-    all.regime = regime; all.lowest = lowest; all.highest = highest; all.period = period;
-    all.precession_per_period = precession_per_period; all.spin_per_period = spin_per_period;
-    return all;
-}
-
-/* Return u from the smaller of 1 − u and 1 + u. */
-static inline double phd_top_cosine(phd_pair s, phd_pair t)
-{
-    const phd_pair one = phd_make_pair(1.0, 0.0);
-    return s.hi < t.hi ? phd_subtract(one, s).hi : phd_subtract(t, one).hi;
-}
-
-/* Signs of polynomials in the given floats decide; only the steady top needs the computed gap u2 − u1.
-
-   The azimuth is at rest where p_φ = a u; there |w|² = lean/a, which is positive inside the nutation's range. */
-static inline double phd_top_regime(const phd_top_reduction_record *top, const phd_top_frequencies_record *rates)
-{
-    const double a = top->momentum.at[2];
-    const double c = top->c.hi;
-    const double c_plus = top->c_plus.hi;
-    const double lean = top->lean.hi;
-    const double along = a < 0.0 ? -lean : lean;
-    /* the place p_φ/a is a tilt: −1 < p_φ/a < 1 */
-    const int within = c * a < 0.0 && c_plus * a > 0.0;
-    double code = within && along > 0.0 ? 8.0 : 6.0;
-    code = within && along == 0.0 ? 7.0 : code;
-    code = a == 0.0 && c == 0.0 ? 5.0 : code;
-    code = rates->steady ? 3.0 : code;
-    code = rates->separatrix ? 9.0 : code;
-    code = rates->permanent ? (top->s0.hi == 0.0 ? 1.0 : 2.0) : code;
-    code = top->G.hi == 0.0 ? 4.0 : code;
-    return a == 0.0 && rates->permanent ? 0.0 : code;
-}
-
-static inline double phd_top_by_kind(const phd_top_frequencies_record *rates, double permanent, double separatrix,
-    double periodic)
-{
-    return rates->permanent ? permanent : rates->separatrix ? separatrix : periodic;
-}
-
-/* Return the numbers of a top. */
-static inline phd_top_numbers_record phd_top_numbers(const phd_top_reduction_record *top,
-    const phd_top_turning_points_record *points, const phd_top_frequencies_record *rates)
-{
-    double lower = phd_top_cosine(points->s1, points->t1);
-    double upper = phd_top_cosine(points->s2, points->t2);
-    lower = rates->permanent ? top->u0.hi : lower;
-    upper = rates->permanent ? top->u0.hi : upper;
-    const phd_pair pi = PHD_PI;
-    /* α = cos(θ/2) e^{i(φ + ψ)/2}, β = sin(θ/2) e^{i(φ − ψ)/2} up to a constant phase: φ = arg α + arg β,
-       ψ = arg α − arg β. In a period, π/ϖ by τ, each argument gains its linear part, and half a turn by its thetas */
-    const phd_pair turn_alpha = phd_add(phd_divide(rates->alpha, rates->nutation),
-        phd_make_pair(rates->sign_alpha, 0.0 * rates->sign_alpha));
-    const phd_pair turn_beta = phd_add(phd_divide(rates->beta, rates->nutation),
-        phd_make_pair(rates->sign_beta, 0.0 * rates->sign_beta));
-    const phd_pair spin = phd_divide(rates->spin, rates->nutation);
-    const double precession = phd_multiply(pi, phd_add(turn_alpha, turn_beta)).hi;
-    double own_turn = phd_multiply(pi, phd_add(phd_subtract(turn_alpha, turn_beta), spin)).hi;
-    const double period = phd_divide(phd_multiply_float(pi, top->moments.hi),
-        phd_scale(rates->nutation, top->rate_scale)).hi;
-    /* never −0 */
-    own_turn = (top->reversed ? -1.0 : 1.0) * own_turn + 0.0;
-    return phd_make_top_numbers_record(phd_top_regime(top, rates), top->reversed ? -upper : lower,
-        top->reversed ? -lower : upper, phd_top_by_kind(rates, NAN, INFINITY, period),
-        phd_top_by_kind(rates, NAN, NAN, precession), phd_top_by_kind(rates, NAN, NAN, own_turn));
-}
-
-/* from the root in single numbers; three do, two more where that was poor */
-static const int PHD_TOP_NEWTON_STEPS = 5;
-/* nine halve the exponent of the smallest ratio, the others divide the spread by four */
-static const int PHD_TOP_DUPLICATIONS = 20;
-/* of cos(⅓ acos x), 0 ≤ x ≤ 1, to 2e-4 */
-static const double PHD_TOP_BEGIN = 0.8660254;
-static const double PHD_TOP_SLOPE = 0.1642;
-static const double PHD_TOP_CURVE = -0.0302;
-/* Return the largest root of x³ + bx² + cx + d, whose roots are real, if cos 3φ is not negative; and cos 3φ. */
-static inline phd_pair phd_top_largest_root(double b, double c, double d)
-{
-    /* Viète: x = 2r cos φ − b/3 with r = √(−P/3) and cos 3φ = −Q/2r³ */
-    const double third = b / 3.0;
-    const double p = c - b * third;
-    const double q = 2.0 * (third * third) * third - third * c + d;
-    const double r = sqrt(phd_larger(-p / 3.0, 0.0));
-    const double cosine = r > 0.0 ? -0.5 * q / (r * r * r) : 1.0;
-    const double x = phd_smaller(phd_larger(cosine, 0.0), 1.0);
-    /* cos φ is a root of 4 y³ − 3 y = x */
-    double y = PHD_TOP_BEGIN + x * (PHD_TOP_SLOPE + x * PHD_TOP_CURVE);
-    y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
-    y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
-    return phd_make_pair(2.0 * r * y - third, cosine);
-}
-
-typedef struct {
-    phd_pair first;
-    phd_three_pairs second;
-} phd_pair_three_pairs;
-
-static inline phd_pair_three_pairs phd_make_pair_three_pairs(phd_pair first, phd_three_pairs second)
-{
-    phd_pair_three_pairs all;
-    all.first = first; all.second = second;
-    return all;
-}
-
-/* Return a root after a step of Newton's. */
-static inline phd_pair_three_pairs phd_top_nearer(phd_pair_three_pairs state)
-{
-    const phd_pair x = state.first;
-    const phd_three_pairs cubic = state.second;
-    const phd_pair b = cubic.at[0], c = cubic.at[1], d = cubic.at[2];
-    const phd_pair value = phd_add(phd_multiply(phd_add(phd_multiply(phd_add(x, b), x), c), x), d);
-    const phd_pair slope = phd_add(phd_multiply(phd_add(phd_add(phd_scale(x, 2.0), x), phd_scale(b, 2.0)), x), c);
-    const phd_pair change = phd_divide(value, slope);
-    const int is_finite = change.hi - change.hi == 0.0;
-    return phd_make_pair_three_pairs(is_finite ? phd_subtract(x, change) : x, cubic);
-}
-
-/* Return the turning points of a top. */
-static inline phd_top_turning_points_record phd_top_turning_points(const phd_top_reduction_record *top)
-{
-    const int weightless = !(top->G.hi > 0.0);
-    const phd_pair safe = weightless ? PHD_TOP_ONE : top->G;
-    const phd_pair p2 = phd_square(top->p);
-    const phd_pair c2 = phd_square(top->c);
-    const phd_pair_two_three_pairss of_cubics = phd_top_cubics(top->momentum.at[2], top->G,
-        phd_divide(PHD_TOP_ONE, safe), top->s0, top->t0, top->u0, top->w2, top->twist, p2, c2, top->D, top->F);
-    const phd_pair f1 = of_cubics.first;
-    const phd_three_pairs of_y = of_cubics.second, of_s = of_cubics.third;
-    const phd_pair of_largest_root = phd_top_largest_root(of_y.at[0].hi, of_y.at[1].hi, of_y.at[2].hi);
-    const double y = of_largest_root.hi, cosine = of_largest_root.lo;
-    const phd_pair of_largest_root_2 = phd_top_largest_root(of_s.at[0].hi, of_s.at[1].hi, of_s.at[2].hi);
-    const double s = of_largest_root_2.hi;
-    const int upper = cosine >= 0.0 || weightless;
-    const phd_three_pairs cubic = phd_make_three_pairs(upper ? of_y.at[0] : of_s.at[0], upper ? of_y.at[1] : of_s.at[1],
-        upper ? of_y.at[2] : of_s.at[2]);
-    phd_pair_three_pairs running = phd_make_pair_three_pairs(phd_make_pair(upper ? y : s, 0.0), cubic);
-    for (int k = 0; k < PHD_TOP_NEWTON_STEPS; k++) {
-        running = phd_top_nearer(running);
-    }
-    const phd_pair lone = running.first;
-    return phd_top_turning_points_of(upper, lone, top->G, safe, top->s0, top->t0, p2, c2, top->c_plus, top->F, f1);
-}
-
-static inline phd_three_pairs phd_top_duplicated(phd_three_pairs state)
-{
-    const phd_pair a = state.at[0], b = state.at[1], c = state.at[2];
-    const phd_pair u = phd_root_or_zero(a);
-    const phd_pair v = phd_root_or_zero(b);
-    const phd_pair w = phd_root_or_zero(c);
-    const phd_pair more = phd_add(phd_add(phd_multiply(u, v), phd_multiply(v, w)), phd_multiply(w, u));
-    return phd_make_three_pairs(phd_scale(phd_add(a, more), 0.25), phd_scale(phd_add(b, more), 0.25),
-        phd_scale(phd_add(c, more), 0.25));
-}
-
-/* Return R_F(x, y, 1) for x, y ≥ 0, not both zero. */
-static inline phd_pair phd_top_first_kind(phd_pair x, phd_pair y)
-{
-    phd_three_pairs running = phd_make_three_pairs(x, y, PHD_TOP_ONE);
-    for (int k = 0; k < PHD_TOP_DUPLICATIONS; k++) {
-        running = phd_top_duplicated(running);
-    }
-    const phd_pair a = running.at[0], b = running.at[1], c = running.at[2];
-    /* DLMF 19.36.1 in X = 1 − a/mean, …, with X + Y + Z = 0. After the steps |X| < 1e-7 even where x = 0 and y =
-       1e-300,
-       so that order 5 is enough, and the correction, below 1e-15, needs no second number */
-    const phd_pair mean = phd_divide(phd_add(phd_add(a, b), c), phd_make_pair(3.0, 0.0));
-    const double X = phd_subtract(PHD_TOP_ONE, phd_divide(a, mean)).hi;
-    const double Y = phd_subtract(PHD_TOP_ONE, phd_divide(b, mean)).hi;
-    const double Z = -X - Y;
-    const double E2 = X * Y - Z * Z;
-    const double E3 = X * Y * Z;
-    const double closing = -E2 / 10.0 + E3 / 14.0 + E2 * E2 / 24.0 - 3.0 * E2 * E3 / 44.0;
-    return phd_divide(phd_add(PHD_TOP_ONE, phd_make_pair(closing, 0.0)), phd_root(mean));
-}
-
-/* Return √factor R_F(x, y, 1), and √factor where the integral is not used. */
-static inline phd_pair phd_top_integral(int idle, phd_pair factor, phd_pair x, phd_pair y)
-{
-    const double total = x.hi + y.hi;
-    const int bad = idle || !(total > 0.0) || !(total - total == 0.0);
-    return phd_multiply(phd_root_or_zero(factor), phd_top_first_kind(bad ? PHD_TOP_ONE : x, bad ? PHD_TOP_ONE : y));
-}
-
-/* Return the distances of α's and β's poles from the real axis, what they leave of K', and that of the start. */
-static inline phd_top_integrals_record phd_top_integrals(const phd_top_reduction_record *top,
-    const phd_top_turning_points_record *points, const phd_top_frequencies_record *rates)
-{
-    const phd_pair g = top->G;
-    const phd_pair d = points->d;
-    const phd_pair a = points->A;
-    const phd_pair b = points->B;
-    const phd_pair z_plus = points->Z_plus;
-    const phd_pair z_minus = points->Z_minus;
-    const phd_pair s1 = points->s1;
-    const phd_pair s2 = points->s2;
-    const phd_pair t1 = points->t1;
-    const phd_pair t2 = points->t2;
-    const int idle = rates->permanent || rates->steady;
-    double v_alpha = phd_top_integral(idle, phd_divide(t1, t2), phd_divide(d, t2),
-        phd_divide(phd_multiply(d, z_plus), phd_multiply(a, t2))).hi;
-    const phd_pair s1b = phd_multiply(s1, b);
-    double v_beta = phd_top_integral(idle, phd_divide(phd_multiply(s2, a), s1b),
-        phd_divide(phd_multiply(d, z_minus), s1b), phd_divide(d, s1)).hi;
-    const phd_pair w_alpha = phd_top_integral(idle, phd_divide(a, z_plus), phd_divide(phd_multiply(g, t1), z_plus),
-        phd_divide(phd_multiply(g, t2), z_plus));
-    const phd_pair w_beta = phd_top_integral(idle, phd_divide(z_minus, b), phd_divide(phd_multiply(g, s2), b),
-        phd_divide(phd_multiply(g, s1), a));
-    const phd_pair x0 = phd_top_integral(idle, phd_divide(points->from_lower, d), phd_divide(points->from_upper, d),
-        phd_divide(points->Y, a));
-    v_alpha = rates->separatrix ? atan2(sqrt(t1.hi), sqrt(d.hi)) : v_alpha;
-    v_beta = rates->separatrix || s2.hi == 0.0 ? 0.0 : v_beta;
-    /* where the tilt stays the pole is infinitely far */
-    v_alpha = rates->steady ? INFINITY : rates->permanent ? 0.0 : v_alpha;
-    v_beta = rates->steady ? INFINITY : rates->permanent ? 0.0 : v_beta;
-    return phd_make_top_integrals_record(v_alpha, v_beta, w_alpha.hi, w_beta.hi,
-        idle && !(d.hi > 0.0) ? PHD_TOP_ZERO : x0);
-}
-
 /* ---------------------------------------------------------------- the Lagrange top */
 
 /* An unevaluated sum of floats, exact. Shewchuk 1997. */
@@ -3562,7 +3663,7 @@ static inline int polhode_top_init(
     given.top = phd_reduced_top(moments, mgl, momentum, q);
     given.points = phd_top_turning_points(&given.top);
     given.rates = phd_top_frequencies(&given.top, &given.points);
-    integrals = phd_top_integrals(&given.top, &given.points, &given.rates);
+    integrals = phd_top_integrals_of(&given.top, &given.points, &given.rates);
     given.at = phd_top_arguments(&given.top, &given.points, &given.rates, &integrals);
     given.axial = momentum[2];
     m->epoch = epoch;

@@ -9,7 +9,7 @@ export const smaller = (x, y) => (x < y ? x : y);
 /** Return the nearest whole number, the even one of two. */
 export function nearest(x) {
   const up = Math.round(x);
-  return up - x === 0.5 && up % 2 !== 0 ? up - 1 : up;
+  return (up - x === 0.5 && up % 2 !== 0 ? up - 1 : up) + 0; // never −0
 }
 
 const bits = new DataView(new ArrayBuffer(8));

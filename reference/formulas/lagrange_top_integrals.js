@@ -1,139 +1,177 @@
-// Printed from reference/printing/single_top.py by `python -m printing`: change that, and print again.
+// Printed from src/polhode/exact/lagrange_top/_formulas_integrals.py by `python -m printing`: change that, and print
+// again.
 //
-// Roots and integrals of a single top: formulas for printing, where arrays and kernels each have ways of their own.
+// The places of a top's poles and of its start, by Carlson's R_F(x, y, 1) = ½ ∫₀^∞ dt / √((t+x)(t+y)(t+1)).
 //
-// The separate root is computed by Newton's method in double-double, in a variable in which it is large. Sources:
-// Viète's formula for its start; Carlson, Numer. Algorithms 10 (1995) 13, for the integrals.
+// The places of the poles enter amplitudes alone, so float64 does; the start enters phases, and the logarithm that it
+// is near the saddle wants some more digits. Source: Carlson, Numer. Algorithms 10 (1995) 13, duplication.
 
-import { larger, smaller } from "../words.js";
-import { add, divide, multiply, root, rootOrZero, scale, square, subtract } from "./arithmetic.js";
-import { cubics, ONE, turningPointsOf, ZERO } from "./lagrange_top_roots.js";
+import { larger } from "../words.js";
+import { add, divide, multiply, root, rootOrZero, scale } from "./arithmetic.js";
+import { ONE, ZERO } from "./lagrange_top_roots.js";
 
-export const NEWTON_STEPS = 5; // from the root in single numbers; three do, two more where that was poor
-export const DUPLICATIONS = 20; // nine halve the exponent of the smallest ratio, the others divide the spread by four
-export const BEGIN = 0.8660254; // of cos(⅓ acos x), 0 ≤ x ≤ 1, to 2e-4
-export const SLOPE = 0.1642;
-export const CURVE = -0.0302;
+export const MOST_STEPS = 40;
+export const CLOSE = 0.01; // of the spread, whose eighth power is what the closing formula leaves
+export const CLOSER = 0.002;
 
-/** Return the largest root of x³ + bx² + cx + d, whose roots are real, if cos 3φ is not negative; and cos 3φ. */
-function _largestRoot(b, c, d) {
-  // Viète: x = 2r cos φ − b/3 with r = √(−P/3) and cos 3φ = −Q/2r³
-  const third = b / 3;
-  const p = c - b * third;
-  const q = 2 * (third * third) * third - third * c + d;
-  const r = Math.sqrt(larger(-p / 3, 0));
-  const cosine = r > 0 ? -0.5 * q / (r * r * r) : 1;
-  const x = smaller(larger(cosine, 0), 1);
-  // cos φ is a root of 4 y³ − 3 y = x
-  let y = BEGIN + x * (SLOPE + x * CURVE);
-  y = (8 * y * y * y + x) / (12 * y * y - 3);
-  y = (8 * y * y * y + x) / (12 * y * y - 3);
-  return [2 * r * y - third, cosine];
+/**
+ * Elliptic integrals of the first kind.
+ *
+ * @typedef {object} Integrals
+ * @property {number} vAlpha distances of α's and β's poles from the real axis; infinite where the tilt stays
+ * @property {number} vBeta
+ * @property {number} wAlpha K' − v, of the full form
+ * @property {number} wBeta
+ * @property {number[]} x0 distance of the start from the lowest place
+ */
+
+// ---------------------------------------------------------------------- R_F(x, y, 1)
+
+/** Return what R_F is more than one over the root of the mean, of relative distances from it (DLMF 19.36.1). */
+function _series(x, y) {
+  const z = -x - y;
+  const second = x * y - z * z;
+  const third = x * y * z;
+  let higher = second * second * (1 / 24 - second * (5 / 208)) - second * third * (3 / 44);
+  higher = higher + third * (3 / 104 * third + 0.0625 * second * second);
+  return higher + third * (1 / 14) - 0.1 * second;
 }
 
-/** Return a root after a step of Newton's. */
-function _nearer(state) {
-  const { 0: x, 1: cubic } = state;
-  const { 0: b, 1: c, 2: d } = cubic;
-  const value = add(multiply(add(multiply(add(x, b), x), c), x), d);
-  const slope = add(multiply(add(add(scale(x, 2), x), scale(b, 2)), x), c);
-  const change = divide(value, slope);
-  const isFinite = change[0] - change[0] === 0;
-  return [isFinite ? subtract(x, change) : x, cubic];
+/** Return the largest distance from the mean over it. */
+export function widest(x, y, z) {
+  const mean = (x + y + z) / 3;
+  return larger(larger(Math.abs(mean - x), Math.abs(mean - y)), Math.abs(mean - z)) / mean;
 }
 
-/** Return the turning points of a top. */
-export function turningPoints(top) {
-  const weightless = !(top.G[0] > 0);
-  const safe = weightless ? ONE : top.G;
-  const p2 = square(top.p);
-  const c2 = square(top.c);
-  const { 0: f1, 1: ofY, 2: ofS } = cubics(
-    top.momentum[2],
-    top.G,
-    divide(ONE, safe),
-    top.s0,
-    top.t0,
-    top.u0,
-    top.w2,
-    top.twist,
-    p2,
-    c2,
-    top.D,
-    top.F,
-  );
-  const { 0: y, 1: cosine } = _largestRoot(ofY[0][0], ofY[1][0], ofY[2][0]);
-  const { 0: s } = _largestRoot(ofS[0][0], ofS[1][0], ofS[2][0]);
-  const upper = cosine >= 0 || weightless;
-  const cubic = [upper ? ofY[0] : ofS[0], upper ? ofY[1] : ofS[1], upper ? ofY[2] : ofS[2]];
-  let running = [[upper ? y : s, 0], cubic];
-  for (let k = 0; k < NEWTON_STEPS; k++) {
-    running = _nearer(running);
+/** Return numbers of equal R_F, nearer to each other (DLMF §19.26(iii)). */
+export function duplicated(now) {
+  const { 0: x, 1: y, 2: z } = now;
+  const a = Math.sqrt(x);
+  const b = Math.sqrt(y);
+  const c = Math.sqrt(z);
+  const more = a * b + b * c + c * a;
+  return [0.25 * (x + more), 0.25 * (y + more), 0.25 * (z + more)];
+}
+
+/** Return whether the closing formula has all digits of a float. */
+export function isClose(now) {
+  return widest(now[0], now[1], now[2]) <= CLOSE;
+}
+
+/** Return R_F of numbers next to each other, NaN of others. */
+export function closed(now) {
+  const { 0: x, 1: y, 2: z } = now;
+  const mean = (x + y + z) / 3;
+  return isClose(now) ? (1 + _series(1 - x / mean, 1 - y / mean)) / Math.sqrt(mean) : NaN;
+}
+
+/** Return `duplicated` in double-double. */
+export function duplicatedSharply(now) {
+  const { 0: x, 1: y, 2: z } = now;
+  const a = rootOrZero(x);
+  const b = rootOrZero(y);
+  const c = root(z);
+  const more = add(multiply(a, add(b, c)), multiply(b, c));
+  return [scale(add(x, more), 0.25), scale(add(y, more), 0.25), scale(add(z, more), 0.25)];
+}
+
+/** Return whether the closing formula has the digits that a phase wants. */
+export function isCloser(now) {
+  return widest(now[0][0], now[1][0], now[2][0]) <= CLOSER;
+}
+
+/** Return `closed` in double-double. */
+export function closedSharply(now) {
+  const { 0: x, 1: y, 2: z } = now;
+  const one = ONE;
+  const mean = divide(add(add(x, y), z), [3, 0]);
+  const apart = _series(1 - divide(x, mean)[0], 1 - divide(y, mean)[0]);
+  return isCloser(now) ? divide(add(one, [apart, 0 * apart]), root(mean)) : [NaN, NaN];
+}
+
+// ---------------------------------------------------------------------- what is integrated
+
+/** Return x, y and c of an integral √c R_F(x, y, 1), v of α. */
+export function poleOfAlpha(top, points) {
+  const d = points.d[0];
+  const t2 = points.t2[0];
+  return [d / t2, d * points.ZPlus[0] / (points.A[0] * t2), points.t1[0] / t2];
+}
+
+/** Return the like of v of β. */
+export function poleOfBeta(top, points) {
+  const d = points.d[0];
+  const s1 = points.s1[0];
+  const b = points.B[0];
+  return [d * points.ZMinus[0] / (s1 * b), d / s1, points.s2[0] * points.A[0] / (s1 * b)];
+}
+
+/** Return the like of K' − v of α. */
+export function restOfAlpha(top, points) {
+  const g = top.G[0];
+  const z = points.ZPlus[0];
+  return [g * points.t1[0] / z, g * points.t2[0] / z, points.A[0] / z];
+}
+
+/** Return the like of K' − v of β. */
+export function restOfBeta(top, points) {
+  const g = top.G[0];
+  const b = points.B[0];
+  return [g * points.s2[0] / b, g * points.s1[0] / points.A[0], points.ZMinus[0] / b];
+}
+
+/** Return the like of the start's distance from the lowest place, in double-double. */
+export function placeOfStart(points) {
+  return [divide(points.fromUpper, points.d), divide(points.Y, points.A), divide(points.fromLower, points.d)];
+}
+
+/** Return √c R_F(x, y, 1), or some number where there is none. */
+function _integral(idle, terms) {
+  const { 0: x, 1: y, 2: c } = terms;
+  const total = x + y;
+  let good = (idle ? 0 : total) > 0;
+  good = good && total < Infinity;
+  const start = [good ? x : 1, good ? y : 1, 1 + 0 * x];
+  let running = start;
+  for (let k = 0; k < MOST_STEPS; k++) {
+    if (isClose(running)) break;
+    running = duplicated(running);
   }
-  const { 0: lone } = running;
-  return turningPointsOf(upper, lone, top.G, safe, top.s0, top.t0, p2, c2, top.cPlus, top.F, f1);
+  return Math.sqrt(c) * closed(running);
 }
 
-// ---------------------------------------------------------------------- integrals of the first kind
-
-function _duplicated(state) {
-  const { 0: a, 1: b, 2: c } = state;
-  const u = rootOrZero(a);
-  const v = rootOrZero(b);
-  const w = rootOrZero(c);
-  const more = add(add(multiply(u, v), multiply(v, w)), multiply(w, u));
-  return [scale(add(a, more), 0.25), scale(add(b, more), 0.25), scale(add(c, more), 0.25)];
-}
-
-/** Return R_F(x, y, 1) for x, y ≥ 0, not both zero. */
-export function firstKind(x, y) {
-  let running = [x, y, ONE];
-  for (let k = 0; k < DUPLICATIONS; k++) {
-    running = _duplicated(running);
-  }
-  const { 0: a, 1: b, 2: c } = running;
-  // DLMF 19.36.1 in X = 1 − a/mean, …, with X + Y + Z = 0. After the steps |X| < 1e-7 even where x = 0 and y = 1e-300,
-  // so that order 5 is enough, and the correction, below 1e-15, needs no second number
-  const mean = divide(add(add(a, b), c), [3, 0]);
-  const X = subtract(ONE, divide(a, mean))[0];
-  const Y = subtract(ONE, divide(b, mean))[0];
-  const Z = -X - Y;
-  const E2 = X * Y - Z * Z;
-  const E3 = X * Y * Z;
-  const closing = -E2 / 10 + E3 / 14 + E2 * E2 / 24 - 3 * E2 * E3 / 44;
-  return divide(add(ONE, [closing, 0]), root(mean));
-}
-
-/** Return √factor R_F(x, y, 1), and √factor where the integral is not used. */
-function _integral(idle, factor, x, y) {
+function _sharpIntegral(idle, terms) {
+  const { 0: x, 1: y, 2: c } = terms;
   const total = x[0] + y[0];
-  const bad = idle || !(total > 0) || !(total - total === 0);
-  return multiply(rootOrZero(factor), firstKind(bad ? ONE : x, bad ? ONE : y));
+  const one = ONE;
+  let good = (idle ? 0 : total) > 0;
+  good = good && total < Infinity;
+  const start = [good ? x : one, good ? y : one, one];
+  let running = start;
+  for (let k = 0; k < MOST_STEPS; k++) {
+    if (isCloser(running)) break;
+    running = duplicatedSharply(running);
+  }
+  return multiply(rootOrZero(c), closedSharply(running));
 }
 
-/** Return the distances of α's and β's poles from the real axis, what they leave of K', and that of the start. */
-export function integrals(top, points, rates) {
-  const g = top.G;
-  const d = points.d;
-  const a = points.A;
-  const b = points.B;
-  const zPlus = points.ZPlus;
-  const zMinus = points.ZMinus;
-  const s1 = points.s1;
-  const s2 = points.s2;
-  const t1 = points.t1;
-  const t2 = points.t2;
+/** Return the integrals of a top. */
+export function integralsOf(top, points, rates) {
   const idle = rates.permanent || rates.steady;
-  let vAlpha = _integral(idle, divide(t1, t2), divide(d, t2), divide(multiply(d, zPlus), multiply(a, t2)))[0];
-  const s1b = multiply(s1, b);
-  let vBeta = _integral(idle, divide(multiply(s2, a), s1b), divide(multiply(d, zMinus), s1b), divide(d, s1))[0];
-  const wAlpha = _integral(idle, divide(a, zPlus), divide(multiply(g, t1), zPlus), divide(multiply(g, t2), zPlus));
-  const wBeta = _integral(idle, divide(zMinus, b), divide(multiply(g, s2), b), divide(multiply(g, s1), a));
-  const x0 = _integral(idle, divide(points.fromLower, d), divide(points.fromUpper, d), divide(points.Y, a));
-  vAlpha = rates.separatrix ? Math.atan2(Math.sqrt(t1[0]), Math.sqrt(d[0])) : vAlpha;
-  vBeta = rates.separatrix || s2[0] === 0 ? 0 : vBeta;
-  // where the tilt stays the pole is infinitely far
-  vAlpha = rates.steady ? Infinity : rates.permanent ? 0 : vAlpha;
-  vBeta = rates.steady ? Infinity : rates.permanent ? 0 : vBeta;
-  return { vAlpha, vBeta, wAlpha: wAlpha[0], wBeta: wBeta[0], x0: idle && !(d[0] > 0) ? ZERO : x0 };
+  const separatrix = rates.separatrix;
+  const d = points.d[0];
+  let vAlpha = _integral(idle, poleOfAlpha(top, points));
+  let vBeta = _integral(idle, poleOfBeta(top, points));
+  vAlpha = separatrix ? Math.atan2(Math.sqrt(points.t1[0]), Math.sqrt(d)) : vAlpha;
+  vBeta = separatrix || points.s2[0] === 0 ? 0 : vBeta;
+  // where the tilt stays the pole is infinitely far: only e^−y = 0 enters
+  const still = rates.steady ? Infinity : 0;
+  const x0 = _sharpIntegral(idle, placeOfStart(points));
+  return {
+    vAlpha: idle ? still : vAlpha,
+    vBeta: idle ? still : vBeta,
+    wAlpha: _integral(idle, restOfAlpha(top, points)),
+    wBeta: _integral(idle, restOfBeta(top, points)),
+    x0: idle && d <= 0 ? ZERO : x0,
+  };
 }

@@ -12,17 +12,6 @@ import { isUpright, leaves, ONE, ZERO } from "./lagrange_top_roots.js";
 export const NO_TERMS = [0, 0, 0, 0];
 
 /**
- * Elliptic integrals of the first kind.
- *
- * @typedef {object} Integrals
- * @property {number} vAlpha distances of α's and β's poles from the real axis; infinite where the tilt stays
- * @property {number} vBeta
- * @property {number} wAlpha K' − v, of the full form
- * @property {number} wBeta
- * @property {number[]} x0 distance of the start from the lowest place
- */
-
-/**
  * The modulus and the places of start and poles in the lattice.
  *
  * @typedef {object} Arguments

@@ -237,6 +237,8 @@ class C(Language):
         head = f"static inline {type_name(node.type)} {self.name(module, node.name)}("
         yield from lines_of((head, filled(given), ")"))
         yield "{"
+        used = {each.name for each in _parts_of(node.body) if isinstance(each, Name)}
+        yield from (f"{' ' * STEP}(void){variable(name)};" for name, _ in node.parameters if name not in used)
         yield from self.block(node.body, STEP)
         yield "}"
         yield ""
@@ -252,14 +254,18 @@ def _names_in(node: Expression) -> set[str]:
     return {node.name} if isinstance(node, Name) else set()
 
 
-def _types_in(node: object) -> Iterator[Type]:
-    """Return the types of all expressions in a part of the tree."""
+def _parts_of(node: object) -> Iterator[Expression]:
+    """Return all expressions in a part of the tree."""
     if isinstance(node, tuple):
         for part in node:
-            yield from _types_in(part)
+            yield from _parts_of(part)
     elif dataclasses.is_dataclass(node) and not isinstance(node, Type):
         for part in dataclasses.fields(node):
             if part.name not in ("type", "types"):
-                yield from _types_in(getattr(node, part.name))
+                yield from _parts_of(getattr(node, part.name))
         if isinstance(node, Expression):
-            yield node.type
+            yield node
+
+
+def _types_in(node: object) -> Iterator[Type]:
+    return (each.type for each in _parts_of(node))

@@ -20,11 +20,12 @@ FILES = {
     EXACT + "free_body._formulas_reduction": "./free_body_reduction.js",
     EXACT + "free_body._formulas_setup": "./free_body_setup.js",
     EXACT + "lagrange_top._formulas": "./lagrange_top.js",
+    EXACT + "lagrange_top._formulas_integrals": "./lagrange_top_integrals.js",
     EXACT + "lagrange_top._formulas_numbers": "./lagrange_top_numbers.js",
     EXACT + "lagrange_top._formulas_rates": "./lagrange_top_rates.js",
     EXACT + "lagrange_top._formulas_roots": "./lagrange_top_roots.js",
+    "printing.single_top": "./lagrange_top_turning_points.js",
     EXACT + "lagrange_top._formulas_setup": "./lagrange_top_setup.js",
-    "printing.single_top": "./lagrange_top_integrals.js",
 }
 ABOUT = {
     "./arithmetic.js": "Double-double arithmetic, sines of turns, and phases reduced to a fraction of a turn.\n\n"
@@ -42,7 +43,7 @@ ROOTS = [
     Root(EXACT + "free_body._formulas_setup", "axes_of"),
     Root(EXACT + "free_body._formulas_numbers", "numbers"),
     Root("printing.single_top", "turning_points"),
-    Root("printing.single_top", "integrals"),
+    Root(EXACT + "lagrange_top._formulas_integrals", "integrals_of"),
     Root(EXACT + "lagrange_top._formulas_rates", "frequencies"),
     Root(EXACT + "lagrange_top._formulas_setup", "arguments"),
     Root(EXACT + "lagrange_top._formulas_setup", "motion_of"),

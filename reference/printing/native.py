@@ -24,7 +24,7 @@ ROOTS = (
     Root(f"{FREE}_formulas_numbers", "numbers"),
     Root(f"{EXACT}_kernel_loops", "state_at", given=f"{FREE}_formulas"),
     Root(SINGLE_TOP, "turning_points"),
-    Root(SINGLE_TOP, "integrals"),
+    Root(f"{TOP}_formulas_integrals", "integrals_of"),
     Root(f"{TOP}_formulas_rates", "frequencies"),
     Root(f"{TOP}_formulas_setup", "arguments"),
     Root(f"{TOP}_formulas_setup", "motion_of"),

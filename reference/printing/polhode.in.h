@@ -452,7 +452,7 @@ static inline int polhode_top_init(
     given.top = phd_reduced_top(moments, mgl, momentum, q);
     given.points = phd_top_turning_points(&given.top);
     given.rates = phd_top_frequencies(&given.top, &given.points);
-    integrals = phd_top_integrals(&given.top, &given.points, &given.rates);
+    integrals = phd_top_integrals_of(&given.top, &given.points, &given.rates);
     given.at = phd_top_arguments(&given.top, &given.points, &given.rates, &integrals);
     given.axial = momentum[2];
     m->epoch = epoch;

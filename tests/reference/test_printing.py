@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from polhode.exact import _kernel_arithmetic as words
 from polhode.exact.free_body import _evaluation as body_evaluation
 from polhode.exact.free_body import _formulas as body_formulas
 from polhode.exact.free_body._formulas_rates import frequencies
@@ -127,6 +128,11 @@ def test_a_parameter_needs_a_type(tmp_path, monkeypatch):
 # ---------------------------------------------------------------------- what is computed
 
 
+EDGES = (0.0, -0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5, 2.5, 0.49999999999999994, 4503599627370497.5, 3e-310, 5e-324)
+POWERS = (-1074.0, -1022.0, -3.0, 0.0, 60.0, 1023.0)
+"""Of two, by which no number below 1 overflows."""
+
+
 def as_json(value):
     """Return a value of Python's formulas as node has it: a record is an object, and what is not finite is text."""
     if hasattr(value, "_asdict"):
@@ -164,6 +170,15 @@ def first_of_each(kind, count):
     chosen = [m for k, m in enumerate(committed(kind)[0]) if k % COMMITTED < count]
     more = lambda m: () if m.mgl is None else ((m.mgl,),)  # noqa: E731
     return [(m, (m.moments, *more(m), m.momentum, m.attitude)) for m in chosen]
+
+
+@needs_node
+def test_words_are_those_of_python():
+    one = [(word, (x,)) for word in (words.nearest, words.binary_exponent) for x in EDGES]
+    two = [(word, (x, y)) for word in (words.larger, words.smaller) for x in EDGES for y in EDGES]
+    two += [(words.times_power, (x, n)) for x in EDGES for n in POWERS if abs(x) < 1.0]
+    found = by_node([("../words.js", hump(word.__name__), given) for word, given in one + two])
+    assert not differences(found, [as_json(word(*given)) for word, given in one + two])
 
 
 OF_THE_TABLE = pytest.mark.parametrize("count", [OF_EACH, pytest.param(OF_MORE, marks=pytest.mark.long)])

@@ -459,6 +459,75 @@ pub fn state_at(m: &Motion, time: f64, rest: f64) -> Seven {
     state_of(m, complementary_sums(m, a, b, c, e0, R))
 }
 
+// from the root in single numbers; three do, two more where that was poor
+pub const NEWTON_STEPS: i32 = 5;
+// of cos(⅓ acos x), 0 ≤ x ≤ 1, to 2e-4
+pub const BEGIN: f64 = 0.8660254;
+pub const SLOPE: f64 = 0.1642;
+pub const CURVE: f64 = -0.0302;
+/// Return the largest root of x³ + bx² + cx + d, whose roots are real, if cos 3φ is not negative; and cos 3φ.
+pub fn _largest_root(b: f64, c: f64, d: f64) -> Pair {
+    // Viète: x = 2r cos φ − b/3 with r = √(−P/3) and cos 3φ = −Q/2r³
+    let third = b / 3.0;
+    let p = c - b * third;
+    let q = 2.0 * (third * third) * third - third * c + d;
+    let r = (-p / 3.0).max(0.0).sqrt();
+    let cosine = if r > 0.0 { -0.5 * q / (r * r * r) } else { 1.0 };
+    let x = cosine.max(0.0).min(1.0);
+    // cos φ is a root of 4 y³ − 3 y = x
+    let y = BEGIN + x * (SLOPE + x * CURVE);
+    let y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
+    let y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
+    (2.0 * r * y - third, cosine)
+}
+
+/// Return a root after a step of Newton's.
+pub fn _nearer(state: (Pair, ThreePairs)) -> (Pair, ThreePairs) {
+    let (x, cubic) = state;
+    let (b, c, d) = cubic;
+    let value = both::add(both::multiply(both::add(both::multiply(both::add(x, b), x), c), x), d);
+    let slope = both::add(both::multiply(both::add(both::add(both::scale(x, 2.0), x), both::scale(b, 2.0)), x), c);
+    let change = both::divide(value, slope);
+    let is_finite = change.0 - change.0 == 0.0;
+    (if is_finite { both::subtract(x, change) } else { x }, cubic)
+}
+
+/// Return the turning points of a top.
+pub fn turning_points(top: &Reduction) -> TurningPoints {
+    let weightless = !(top.G.0 > 0.0);
+    let safe = if weightless { ONE } else { top.G };
+    let p2 = both::square(top.p);
+    let c2 = both::square(top.c);
+    let (f1, of_y, of_s) = cubics(
+        top.momentum.2,
+        top.G,
+        both::divide(ONE, safe),
+        top.s0,
+        top.t0,
+        top.u0,
+        top.w2,
+        top.twist,
+        p2,
+        c2,
+        top.D,
+        top.F,
+    );
+    let (y, cosine) = _largest_root(of_y.0.0, of_y.1.0, of_y.2.0);
+    let (s, _) = _largest_root(of_s.0.0, of_s.1.0, of_s.2.0);
+    let upper = cosine >= 0.0 || weightless;
+    let cubic = (
+        if upper { of_y.0 } else { of_s.0 },
+        if upper { of_y.1 } else { of_s.1 },
+        if upper { of_y.2 } else { of_s.2 },
+    );
+    let mut running = ((if upper { y } else { s }, 0.0), cubic);
+    for k in 0..NEWTON_STEPS {
+        running = _nearer(running);
+    }
+    let (lone, _) = running;
+    turning_points_of(upper, lone, top.G, safe, top.s0, top.t0, p2, c2, top.c_plus, top.F, f1)
+}
+
 /// Rates by τ = t/I1 in scaled units; all but the signs and flags are double-double.
 #[derive(Clone, Copy)]
 pub struct Frequencies {
@@ -676,7 +745,10 @@ pub fn phase_rates(top: &Reduction, rates: &Frequencies) -> TwoPairs {
     (turns_per_time(alpha, i1, top.rate_scale), turns_per_time(beta, i1, top.rate_scale))
 }
 
-pub const NO_TERMS: Four = (0.0, 0.0, 0.0, 0.0);
+pub const MOST_STEPS: i32 = 40;
+// of the spread, whose eighth power is what the closing formula leaves
+pub const CLOSE: f64 = 0.01;
+pub const CLOSER: f64 = 0.002;
 /// Elliptic integrals of the first kind.
 #[derive(Clone, Copy)]
 pub struct Integrals {
@@ -690,6 +762,244 @@ pub struct Integrals {
     pub x0: Pair,
 }
 
+/// Return what R_F is more than one over the root of the mean, of relative distances from it (DLMF 19.36.1).
+pub fn _series(x: f64, y: f64) -> f64 {
+    let z = -x - y;
+    let second = x * y - z * z;
+    let third = x * y * z;
+    let higher = second * second * (1.0 / 24.0 - second * (5.0 / 208.0)) - second * third * (3.0 / 44.0);
+    let higher = higher + third * (3.0 / 104.0 * third + 0.0625 * second * second);
+    higher + third * (1.0 / 14.0) - 0.1 * second
+}
+
+/// Return the largest distance from the mean over it.
+pub fn widest(x: f64, y: f64, z: f64) -> f64 {
+    let mean = (x + y + z) / 3.0;
+    (mean - x).abs().max((mean - y).abs()).max((mean - z).abs()) / mean
+}
+
+/// Return numbers of equal R_F, nearer to each other (DLMF §19.26(iii)).
+pub fn duplicated(now: Three) -> Three {
+    let (x, y, z) = now;
+    let a = x.sqrt();
+    let b = y.sqrt();
+    let c = z.sqrt();
+    let more = a * b + b * c + c * a;
+    (0.25 * (x + more), 0.25 * (y + more), 0.25 * (z + more))
+}
+
+/// Return whether the closing formula has all digits of a float.
+pub fn is_close(now: Three) -> bool {
+    widest(now.0, now.1, now.2) <= CLOSE
+}
+
+/// Return R_F of numbers next to each other, NaN of others.
+pub fn closed(now: Three) -> f64 {
+    let (x, y, z) = now;
+    let mean = (x + y + z) / 3.0;
+    if is_close(now) { (1.0 + _series(1.0 - x / mean, 1.0 - y / mean)) / mean.sqrt() } else { f64::NAN }
+}
+
+/// Return duplicated in double-double.
+pub fn duplicated_sharply(now: ThreePairs) -> ThreePairs {
+    let (x, y, z) = now;
+    let a = both::root_or_zero(x);
+    let b = both::root_or_zero(y);
+    let c = both::root(z);
+    let more = both::add(both::multiply(a, both::add(b, c)), both::multiply(b, c));
+    (
+        both::scale(both::add(x, more), 0.25),
+        both::scale(both::add(y, more), 0.25),
+        both::scale(both::add(z, more), 0.25),
+    )
+}
+
+/// Return whether the closing formula has the digits that a phase wants.
+pub fn is_closer(now: ThreePairs) -> bool {
+    widest(now.0.0, now.1.0, now.2.0) <= CLOSER
+}
+
+/// Return closed in double-double.
+pub fn closed_sharply(now: ThreePairs) -> Pair {
+    let (x, y, z) = now;
+    let one = ONE;
+    let mean = both::divide(both::add(both::add(x, y), z), (3.0, 0.0));
+    let apart = _series(1.0 - both::divide(x, mean).0, 1.0 - both::divide(y, mean).0);
+    if is_closer(now) {
+        both::divide(both::add(one, (apart, 0.0 * apart)), both::root(mean))
+    } else {
+        (f64::NAN, f64::NAN)
+    }
+}
+
+/// Return x, y and c of an integral √c R_F(x, y, 1), v of α.
+pub fn pole_of_alpha(top: &Reduction, points: &TurningPoints) -> Three {
+    let d = points.d.0;
+    let t2 = points.t2.0;
+    (d / t2, d * points.Z_plus.0 / (points.A.0 * t2), points.t1.0 / t2)
+}
+
+/// Return the like of v of β.
+pub fn pole_of_beta(top: &Reduction, points: &TurningPoints) -> Three {
+    let d = points.d.0;
+    let s1 = points.s1.0;
+    let b = points.B.0;
+    (d * points.Z_minus.0 / (s1 * b), d / s1, points.s2.0 * points.A.0 / (s1 * b))
+}
+
+/// Return the like of K' − v of α.
+pub fn rest_of_alpha(top: &Reduction, points: &TurningPoints) -> Three {
+    let g = top.G.0;
+    let z = points.Z_plus.0;
+    (g * points.t1.0 / z, g * points.t2.0 / z, points.A.0 / z)
+}
+
+/// Return the like of K' − v of β.
+pub fn rest_of_beta(top: &Reduction, points: &TurningPoints) -> Three {
+    let g = top.G.0;
+    let b = points.B.0;
+    (g * points.s2.0 / b, g * points.s1.0 / points.A.0, points.Z_minus.0 / b)
+}
+
+/// Return the like of the start's distance from the lowest place, in double-double.
+pub fn place_of_start(points: &TurningPoints) -> ThreePairs {
+    (
+        both::divide(points.from_upper, points.d),
+        both::divide(points.Y, points.A),
+        both::divide(points.from_lower, points.d),
+    )
+}
+
+/// Return √c R_F(x, y, 1), or some number where there is none.
+pub fn _integral(idle: bool, terms: Three) -> f64 {
+    let (x, y, c) = terms;
+    let total = x + y;
+    let good = (if idle { 0.0 } else { total }) > 0.0;
+    let good = good && total < f64::INFINITY;
+    let start = (if good { x } else { 1.0 }, if good { y } else { 1.0 }, 1.0 + 0.0 * x);
+    let mut running = start;
+    for k in 0..MOST_STEPS {
+        if is_close(running) {
+            break;
+        }
+        running = duplicated(running);
+    }
+    c.sqrt() * closed(running)
+}
+
+pub fn _sharp_integral(idle: bool, terms: ThreePairs) -> Pair {
+    let (x, y, c) = terms;
+    let total = x.0 + y.0;
+    let one = ONE;
+    let good = (if idle { 0.0 } else { total }) > 0.0;
+    let good = good && total < f64::INFINITY;
+    let start = (if good { x } else { one }, if good { y } else { one }, one);
+    let mut running = start;
+    for k in 0..MOST_STEPS {
+        if is_closer(running) {
+            break;
+        }
+        running = duplicated_sharply(running);
+    }
+    both::multiply(both::root_or_zero(c), closed_sharply(running))
+}
+
+/// Return the integrals of a top.
+pub fn integrals_of(top: &Reduction, points: &TurningPoints, rates: &Frequencies) -> Integrals {
+    let idle = rates.permanent || rates.steady;
+    let separatrix = rates.separatrix;
+    let d = points.d.0;
+    let v_alpha = _integral(idle, pole_of_alpha(top, points));
+    let v_beta = _integral(idle, pole_of_beta(top, points));
+    let v_alpha = if separatrix { points.t1.0.sqrt().atan2(d.sqrt()) } else { v_alpha };
+    let v_beta = if separatrix || points.s2.0 == 0.0 { 0.0 } else { v_beta };
+    // where the tilt stays the pole is infinitely far: only e^−y = 0 enters
+    let still = if rates.steady { f64::INFINITY } else { 0.0 };
+    let x0 = _sharp_integral(idle, place_of_start(points));
+    Integrals {
+        v_alpha: if idle { still } else { v_alpha },
+        v_beta: if idle { still } else { v_beta },
+        w_alpha: _integral(idle, rest_of_alpha(top, points)),
+        w_beta: _integral(idle, rest_of_beta(top, points)),
+        x0: if idle && d <= 0.0 { ZERO } else { x0 },
+    }
+}
+
+/// What a top's motion is like; what is infinite is inf, what is undefined NaN.
+#[derive(Clone, Copy)]
+pub struct Numbers {
+    /// 0 rest, 1 sleeping, 2 hanging, 3 steady, 4 free, 5 planar, 6 undulating, 7 cusp, 8 loop, 9 separatrix
+    pub regime: f64,
+    /// of the cosine of the tilt from the upward vertical
+    pub lowest: f64,
+    pub highest: f64,
+    /// of the nutation; of a steady top that of its smallest nutations
+    pub period: f64,
+    /// azimuth gained by the axis in a period, unreduced
+    pub precession_per_period: f64,
+    /// the body's own turn in a period, unreduced
+    pub spin_per_period: f64,
+}
+
+/// Return u from the smaller of 1 − u and 1 + u.
+pub fn _cosine(s: Pair, t: Pair) -> f64 {
+    let one = (1.0, 0.0);
+    if s.0 < t.0 { both::subtract(one, s).0 } else { both::subtract(t, one).0 }
+}
+
+/// Signs of polynomials in the given floats decide; only the steady top needs the computed gap u2 − u1.
+///
+/// The azimuth is at rest where p_φ = a u; there |w|² = lean/a, which is positive inside the nutation's range.
+pub fn _regime(top: &Reduction, rates: &Frequencies) -> f64 {
+    let a = top.momentum.2;
+    let c = top.c.0;
+    let c_plus = top.c_plus.0;
+    let lean = top.lean.0;
+    let along = if a < 0.0 { -lean } else { lean };
+    // the place p_φ/a is a tilt: −1 < p_φ/a < 1
+    let within = c * a < 0.0 && c_plus * a > 0.0;
+    let code = if within && along > 0.0 { 8.0 } else { 6.0 };
+    let code = if within && along == 0.0 { 7.0 } else { code };
+    let code = if a == 0.0 && c == 0.0 { 5.0 } else { code };
+    let code = if rates.steady { 3.0 } else { code };
+    let code = if rates.separatrix { 9.0 } else { code };
+    let code = if rates.permanent { if top.s0.0 == 0.0 { 1.0 } else { 2.0 } } else { code };
+    let code = if top.G.0 == 0.0 { 4.0 } else { code };
+    if a == 0.0 && rates.permanent { 0.0 } else { code }
+}
+
+pub fn _by_kind(rates: &Frequencies, permanent: f64, separatrix: f64, periodic: f64) -> f64 {
+    if rates.permanent { permanent } else { if rates.separatrix { separatrix } else { periodic } }
+}
+
+/// Return the numbers of a top.
+pub fn numbers(top: &Reduction, points: &TurningPoints, rates: &Frequencies) -> Numbers {
+    let lower = _cosine(points.s1, points.t1);
+    let upper = _cosine(points.s2, points.t2);
+    let lower = if rates.permanent { top.u0.0 } else { lower };
+    let upper = if rates.permanent { top.u0.0 } else { upper };
+    let pi = both::PI;
+    // α = cos(θ/2) e^{i(φ + ψ)/2}, β = sin(θ/2) e^{i(φ − ψ)/2} up to a constant phase: φ = arg α + arg β,
+    // ψ = arg α − arg β. In a period, π/ϖ by τ, each argument gains its linear part, and half a turn by its thetas
+    let turn_alpha = both::add(both::divide(rates.alpha, rates.nutation), (rates.sign_alpha, 0.0 * rates.sign_alpha));
+    let turn_beta = both::add(both::divide(rates.beta, rates.nutation), (rates.sign_beta, 0.0 * rates.sign_beta));
+    let spin = both::divide(rates.spin, rates.nutation);
+    let precession = both::multiply(pi, both::add(turn_alpha, turn_beta)).0;
+    let own_turn = both::multiply(pi, both::add(both::subtract(turn_alpha, turn_beta), spin)).0;
+    let period = both::divide(both::multiply_float(pi, top.moments.0), both::scale(rates.nutation, top.rate_scale)).0;
+    // never −0
+    let own_turn = (if top.reversed { -1.0 } else { 1.0 }) * own_turn + 0.0;
+    Numbers {
+        regime: _regime(top, rates),
+        lowest: if top.reversed { -upper } else { lower },
+        highest: if top.reversed { -lower } else { upper },
+        period: _by_kind(rates, f64::NAN, f64::INFINITY, period),
+        precession_per_period: _by_kind(rates, f64::NAN, f64::NAN, precession),
+        spin_per_period: _by_kind(rates, f64::NAN, f64::NAN, own_turn),
+    }
+}
+
+pub const NO_TERMS: Four = (0.0, 0.0, 0.0, 0.0);
 /// The modulus and the places of start and poles in the lattice.
 #[derive(Clone, Copy)]
 pub struct Arguments {
@@ -1080,247 +1390,4 @@ pub fn motion_with_phases(given: &Given, motion: &Motion, timing: &Timing) -> Mo
 pub fn motion_of(given: &Given) -> Motion {
     let (motion, timing) = motion_without_phases(given);
     motion_with_phases(given, &motion, &timing)
-}
-
-/// What a top's motion is like; what is infinite is inf, what is undefined NaN.
-#[derive(Clone, Copy)]
-pub struct Numbers {
-    /// 0 rest, 1 sleeping, 2 hanging, 3 steady, 4 free, 5 planar, 6 undulating, 7 cusp, 8 loop, 9 separatrix
-    pub regime: f64,
-    /// of the cosine of the tilt from the upward vertical
-    pub lowest: f64,
-    pub highest: f64,
-    /// of the nutation; of a steady top that of its smallest nutations
-    pub period: f64,
-    /// azimuth gained by the axis in a period, unreduced
-    pub precession_per_period: f64,
-    /// the body's own turn in a period, unreduced
-    pub spin_per_period: f64,
-}
-
-/// Return u from the smaller of 1 − u and 1 + u.
-pub fn _cosine(s: Pair, t: Pair) -> f64 {
-    let one = (1.0, 0.0);
-    if s.0 < t.0 { both::subtract(one, s).0 } else { both::subtract(t, one).0 }
-}
-
-/// Signs of polynomials in the given floats decide; only the steady top needs the computed gap u2 − u1.
-///
-/// The azimuth is at rest where p_φ = a u; there |w|² = lean/a, which is positive inside the nutation's range.
-pub fn _regime(top: &Reduction, rates: &Frequencies) -> f64 {
-    let a = top.momentum.2;
-    let c = top.c.0;
-    let c_plus = top.c_plus.0;
-    let lean = top.lean.0;
-    let along = if a < 0.0 { -lean } else { lean };
-    // the place p_φ/a is a tilt: −1 < p_φ/a < 1
-    let within = c * a < 0.0 && c_plus * a > 0.0;
-    let code = if within && along > 0.0 { 8.0 } else { 6.0 };
-    let code = if within && along == 0.0 { 7.0 } else { code };
-    let code = if a == 0.0 && c == 0.0 { 5.0 } else { code };
-    let code = if rates.steady { 3.0 } else { code };
-    let code = if rates.separatrix { 9.0 } else { code };
-    let code = if rates.permanent { if top.s0.0 == 0.0 { 1.0 } else { 2.0 } } else { code };
-    let code = if top.G.0 == 0.0 { 4.0 } else { code };
-    if a == 0.0 && rates.permanent { 0.0 } else { code }
-}
-
-pub fn _by_kind(rates: &Frequencies, permanent: f64, separatrix: f64, periodic: f64) -> f64 {
-    if rates.permanent { permanent } else { if rates.separatrix { separatrix } else { periodic } }
-}
-
-/// Return the numbers of a top.
-pub fn numbers(top: &Reduction, points: &TurningPoints, rates: &Frequencies) -> Numbers {
-    let lower = _cosine(points.s1, points.t1);
-    let upper = _cosine(points.s2, points.t2);
-    let lower = if rates.permanent { top.u0.0 } else { lower };
-    let upper = if rates.permanent { top.u0.0 } else { upper };
-    let pi = both::PI;
-    // α = cos(θ/2) e^{i(φ + ψ)/2}, β = sin(θ/2) e^{i(φ − ψ)/2} up to a constant phase: φ = arg α + arg β,
-    // ψ = arg α − arg β. In a period, π/ϖ by τ, each argument gains its linear part, and half a turn by its thetas
-    let turn_alpha = both::add(both::divide(rates.alpha, rates.nutation), (rates.sign_alpha, 0.0 * rates.sign_alpha));
-    let turn_beta = both::add(both::divide(rates.beta, rates.nutation), (rates.sign_beta, 0.0 * rates.sign_beta));
-    let spin = both::divide(rates.spin, rates.nutation);
-    let precession = both::multiply(pi, both::add(turn_alpha, turn_beta)).0;
-    let own_turn = both::multiply(pi, both::add(both::subtract(turn_alpha, turn_beta), spin)).0;
-    let period = both::divide(both::multiply_float(pi, top.moments.0), both::scale(rates.nutation, top.rate_scale)).0;
-    // never −0
-    let own_turn = (if top.reversed { -1.0 } else { 1.0 }) * own_turn + 0.0;
-    Numbers {
-        regime: _regime(top, rates),
-        lowest: if top.reversed { -upper } else { lower },
-        highest: if top.reversed { -lower } else { upper },
-        period: _by_kind(rates, f64::NAN, f64::INFINITY, period),
-        precession_per_period: _by_kind(rates, f64::NAN, f64::NAN, precession),
-        spin_per_period: _by_kind(rates, f64::NAN, f64::NAN, own_turn),
-    }
-}
-
-// from the root in single numbers; three do, two more where that was poor
-pub const NEWTON_STEPS: i32 = 5;
-// nine halve the exponent of the smallest ratio, the others divide the spread by four
-pub const DUPLICATIONS: i32 = 20;
-// of cos(⅓ acos x), 0 ≤ x ≤ 1, to 2e-4
-pub const BEGIN: f64 = 0.8660254;
-pub const SLOPE: f64 = 0.1642;
-pub const CURVE: f64 = -0.0302;
-/// Return the largest root of x³ + bx² + cx + d, whose roots are real, if cos 3φ is not negative; and cos 3φ.
-pub fn _largest_root(b: f64, c: f64, d: f64) -> Pair {
-    // Viète: x = 2r cos φ − b/3 with r = √(−P/3) and cos 3φ = −Q/2r³
-    let third = b / 3.0;
-    let p = c - b * third;
-    let q = 2.0 * (third * third) * third - third * c + d;
-    let r = (-p / 3.0).max(0.0).sqrt();
-    let cosine = if r > 0.0 { -0.5 * q / (r * r * r) } else { 1.0 };
-    let x = cosine.max(0.0).min(1.0);
-    // cos φ is a root of 4 y³ − 3 y = x
-    let y = BEGIN + x * (SLOPE + x * CURVE);
-    let y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
-    let y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
-    (2.0 * r * y - third, cosine)
-}
-
-/// Return a root after a step of Newton's.
-pub fn _nearer(state: (Pair, ThreePairs)) -> (Pair, ThreePairs) {
-    let (x, cubic) = state;
-    let (b, c, d) = cubic;
-    let value = both::add(both::multiply(both::add(both::multiply(both::add(x, b), x), c), x), d);
-    let slope = both::add(both::multiply(both::add(both::add(both::scale(x, 2.0), x), both::scale(b, 2.0)), x), c);
-    let change = both::divide(value, slope);
-    let is_finite = change.0 - change.0 == 0.0;
-    (if is_finite { both::subtract(x, change) } else { x }, cubic)
-}
-
-/// Return the turning points of a top.
-pub fn turning_points(top: &Reduction) -> TurningPoints {
-    let weightless = !(top.G.0 > 0.0);
-    let safe = if weightless { ONE } else { top.G };
-    let p2 = both::square(top.p);
-    let c2 = both::square(top.c);
-    let (f1, of_y, of_s) = cubics(
-        top.momentum.2,
-        top.G,
-        both::divide(ONE, safe),
-        top.s0,
-        top.t0,
-        top.u0,
-        top.w2,
-        top.twist,
-        p2,
-        c2,
-        top.D,
-        top.F,
-    );
-    let (y, cosine) = _largest_root(of_y.0.0, of_y.1.0, of_y.2.0);
-    let (s, _) = _largest_root(of_s.0.0, of_s.1.0, of_s.2.0);
-    let upper = cosine >= 0.0 || weightless;
-    let cubic = (
-        if upper { of_y.0 } else { of_s.0 },
-        if upper { of_y.1 } else { of_s.1 },
-        if upper { of_y.2 } else { of_s.2 },
-    );
-    let mut running = ((if upper { y } else { s }, 0.0), cubic);
-    for k in 0..NEWTON_STEPS {
-        running = _nearer(running);
-    }
-    let (lone, _) = running;
-    turning_points_of(upper, lone, top.G, safe, top.s0, top.t0, p2, c2, top.c_plus, top.F, f1)
-}
-
-pub fn _duplicated(state: ThreePairs) -> ThreePairs {
-    let (a, b, c) = state;
-    let u = both::root_or_zero(a);
-    let v = both::root_or_zero(b);
-    let w = both::root_or_zero(c);
-    let more = both::add(both::add(both::multiply(u, v), both::multiply(v, w)), both::multiply(w, u));
-    (
-        both::scale(both::add(a, more), 0.25),
-        both::scale(both::add(b, more), 0.25),
-        both::scale(both::add(c, more), 0.25),
-    )
-}
-
-/// Return R_F(x, y, 1) for x, y ≥ 0, not both zero.
-pub fn first_kind(x: Pair, y: Pair) -> Pair {
-    let mut running = (x, y, ONE);
-    for k in 0..DUPLICATIONS {
-        running = _duplicated(running);
-    }
-    let (a, b, c) = running;
-    // DLMF 19.36.1 in X = 1 − a/mean, …, with X + Y + Z = 0. After the steps |X| < 1e-7 even where x = 0 and y =
-    // 1e-300,
-    // so that order 5 is enough, and the correction, below 1e-15, needs no second number
-    let mean = both::divide(both::add(both::add(a, b), c), (3.0, 0.0));
-    let X = both::subtract(ONE, both::divide(a, mean)).0;
-    let Y = both::subtract(ONE, both::divide(b, mean)).0;
-    let Z = -X - Y;
-    let E2 = X * Y - Z * Z;
-    let E3 = X * Y * Z;
-    let closing = -E2 / 10.0 + E3 / 14.0 + E2 * E2 / 24.0 - 3.0 * E2 * E3 / 44.0;
-    both::divide(both::add(ONE, (closing, 0.0)), both::root(mean))
-}
-
-/// Return √factor R_F(x, y, 1), and √factor where the integral is not used.
-pub fn _integral(idle: bool, factor: Pair, x: Pair, y: Pair) -> Pair {
-    let total = x.0 + y.0;
-    let bad = idle || !(total > 0.0) || !(total - total == 0.0);
-    both::multiply(both::root_or_zero(factor), first_kind(if bad { ONE } else { x }, if bad { ONE } else { y }))
-}
-
-/// Return the distances of α's and β's poles from the real axis, what they leave of K', and that of the start.
-pub fn integrals(top: &Reduction, points: &TurningPoints, rates: &Frequencies) -> Integrals {
-    let g = top.G;
-    let d = points.d;
-    let a = points.A;
-    let b = points.B;
-    let z_plus = points.Z_plus;
-    let z_minus = points.Z_minus;
-    let s1 = points.s1;
-    let s2 = points.s2;
-    let t1 = points.t1;
-    let t2 = points.t2;
-    let idle = rates.permanent || rates.steady;
-    let v_alpha = _integral(
-        idle,
-        both::divide(t1, t2),
-        both::divide(d, t2),
-        both::divide(both::multiply(d, z_plus), both::multiply(a, t2)),
-    ).0;
-    let s1b = both::multiply(s1, b);
-    let v_beta = _integral(
-        idle,
-        both::divide(both::multiply(s2, a), s1b),
-        both::divide(both::multiply(d, z_minus), s1b),
-        both::divide(d, s1),
-    ).0;
-    let w_alpha = _integral(
-        idle,
-        both::divide(a, z_plus),
-        both::divide(both::multiply(g, t1), z_plus),
-        both::divide(both::multiply(g, t2), z_plus),
-    );
-    let w_beta = _integral(
-        idle,
-        both::divide(z_minus, b),
-        both::divide(both::multiply(g, s2), b),
-        both::divide(both::multiply(g, s1), a),
-    );
-    let x0 = _integral(
-        idle,
-        both::divide(points.from_lower, d),
-        both::divide(points.from_upper, d),
-        both::divide(points.Y, a),
-    );
-    let v_alpha = if rates.separatrix { t1.0.sqrt().atan2(d.0.sqrt()) } else { v_alpha };
-    let v_beta = if rates.separatrix || s2.0 == 0.0 { 0.0 } else { v_beta };
-    // where the tilt stays the pole is infinitely far
-    let v_alpha = if rates.steady { f64::INFINITY } else { if rates.permanent { 0.0 } else { v_alpha } };
-    let v_beta = if rates.steady { f64::INFINITY } else { if rates.permanent { 0.0 } else { v_beta } };
-    Integrals {
-        v_alpha,
-        v_beta,
-        w_alpha: w_alpha.0,
-        w_beta: w_beta.0,
-        x0: if idle && !(d.0 > 0.0) { ZERO } else { x0 },
-    }
 }

@@ -303,7 +303,7 @@ impl LagrangeTop {
         let top = reduction::reduced(moments, mgl, momentum, attitude);
         let points = lagrange_top::turning_points(&top);
         let rates = lagrange_top::frequencies(&top, &points);
-        let integrals = lagrange_top::integrals(&top, &points, &rates);
+        let integrals = lagrange_top::integrals_of(&top, &points, &rates);
         let at = lagrange_top::arguments(&top, &points, &rates, &integrals);
         let numbers = lagrange_top::numbers(&top, &points, &rates);
         let motion = lagrange_top::motion_of(&lagrange_top::Given { top, points, rates, at, axial: momentum[2] });

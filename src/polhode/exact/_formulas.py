@@ -8,9 +8,9 @@ is that of all files named ``_formulas``:
   annotated fields, made by place and never changed; double-double numbers are pairs (high, low).
 * A function consists of assignments to names, also by taking a tuple apart, and of one ``return``. A name may be
   assigned again, to a value of the same kind.
-* Expressions are names, numbers, constants of modules, ``math.pi``, ``+ - * /``, unary ``-``, ``abs``, comparisons of
-  two values, ``&`` and ``|`` of what holds, fields, indices and slices by whole numbers, tuples, and calls by place of
-  words, formulas and records.
+* Expressions are names, numbers, constants of modules and of ``math``, ``+ - * /``, unary ``-``, ``abs``, comparisons
+  of two values, ``&`` and ``|`` of what holds, fields, indices and slices by whole numbers, tuples, and calls by place
+  of words, formulas and records.
 * What depends on a number is a ``where`` of doubles or a ``choice`` of pairs, both sides of which are evaluated, or
   ``choose(condition, f, g, values)``, which evaluates one function of the values where it can. Loops are
   ``iterate(count, step, state)`` and ``iterate_until(step, finished, state, at_once, most)``. Functions are named in

@@ -34,22 +34,13 @@ from polhode.exact.lagrange_top._formulas import (
     complementary_sums,
     full_sums,
 )
+from polhode.exact.lagrange_top._formulas_integrals import Integrals
 from polhode.exact.lagrange_top._formulas_rates import Frequencies, climb, half_periods, periods, phase_rates
 from polhode.exact.lagrange_top._formulas_roots import ONE, ZERO, Reduction, Three, TurningPoints, is_upright, leaves
 
 NO_TERMS = (0.0, 0.0, 0.0, 0.0)
 Six = tuple[Number, Number, Number, Number, Number, Number]
 Series = tuple[Four, Four, Four, Four, Number]
-
-
-class Integrals(NamedTuple):
-    """Elliptic integrals of the first kind."""
-
-    v_alpha: Number  # distances of α's and β's poles from the real axis; infinite where the tilt stays
-    v_beta: Number
-    w_alpha: Number  # K' − v, of the full form
-    w_beta: Number
-    x0: Pair  # distance of the start from the lowest place
 
 
 class Arguments(NamedTuple):

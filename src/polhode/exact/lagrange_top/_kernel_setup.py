@@ -27,12 +27,12 @@ from polhode.exact._kernel_loops import SUMS, WORK, sums_of_many
 from polhode.exact._kernel_records import load
 from polhode.exact.lagrange_top import _kernel_store as at
 from polhode.exact.lagrange_top._formulas import A_SUM, AXIAL, COLUMNS, FIRST, NOME, PHASES, REVERSED, Motion, sums_at
+from polhode.exact.lagrange_top._formulas_integrals import Integrals, integrals_of
 from polhode.exact.lagrange_top._formulas_rates import Frequencies, Starts, frequencies, frequencies_of, starts_of
 from polhode.exact.lagrange_top._formulas_roots import Reduction, TurningPoints
 from polhode.exact.lagrange_top._formulas_setup import (
     Arguments,
     Given,
-    Integrals,
     Timing,
     arguments,
     complementary,
@@ -174,16 +174,15 @@ def _phases(w: Any, count: int, m: Any, work: Any) -> None:
 
 def set_up_one(moments: Any, mgl: Any, momentum: Any, attitude: Any) -> Motion | None:
     """Return the constants of motion of one top, or None for one that is left to NumPy."""
-    w, steps = room(ROWS), room(STEPS * BLOCK)
+    w = room(ROWS)
     count = begin([moments], [mgl], [momentum], [attitude], w, [0], room(TERMS))
     turning_points(w, count)
-    full = _form(w, 0) if count == 1 else -1
-    if full < 0:
+    if count == 0 or _form(w, 0) < 0:
         return None
-    integrals(w, full, 1, steps)
-    top, points, parts = load(w, at.TOP, Reduction), load(w, at.POINTS, TurningPoints), load(w, at.INTEGRALS, Integrals)
+    top, points = load(w, at.TOP, Reduction), load(w, at.POINTS, TurningPoints)
     rates = frequencies(top, points)
-    given = Given(top, points, rates, arguments(top, points, rates, parts), momentum[2])
+    at_start = arguments(top, points, rates, integrals_of(top, points, rates))
+    given = Given(top, points, rates, at_start, momentum[2])
     motion = motion_of(given)
     return motion if _is_finite(motion) else None
 

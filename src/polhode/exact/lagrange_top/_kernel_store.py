@@ -5,9 +5,10 @@ from __future__ import annotations
 from polhode.exact._kernel_arithmetic import BLOCK, Pair
 from polhode.exact._kernel_records import rows_of
 from polhode.exact.lagrange_top._formulas import Four
+from polhode.exact.lagrange_top._formulas_integrals import Integrals
 from polhode.exact.lagrange_top._formulas_rates import Frequencies, Starts
 from polhode.exact.lagrange_top._formulas_roots import Reduction, TurningPoints
-from polhode.exact.lagrange_top._formulas_setup import Arguments, Integrals, Timing
+from polhode.exact.lagrange_top._formulas_setup import Arguments, Timing
 
 # what reduction and turning points find, kept when the tops are sorted by the form that they take. AGAIN is the mean of
 # the second sum's run, whose last digits may be others

@@ -10,6 +10,7 @@ from typing import Any
 from polhode._base.arrays import iterate, namespace
 from polhode.exact._array_arithmetic import for_arrays
 from polhode.exact.lagrange_top import _formulas as formulas
+from polhode.exact.lagrange_top import _formulas_integrals as formulas_integrals
 from polhode.exact.lagrange_top import _formulas_rates as formulas_rates
 from polhode.exact.lagrange_top import _formulas_roots as formulas_roots
 from polhode.exact.lagrange_top import _formulas_setup as formulas_setup
@@ -64,4 +65,4 @@ def _polished(xp: Any, start: Array, cubic: tuple[DoubleDouble, ...]) -> DoubleD
     return iterate(NEWTON_STEPS, step, dd.from_float(start), like=start)
 
 
-FORMULAS = for_arrays(formulas, formulas_roots, formulas_rates, formulas_setup)
+FORMULAS = for_arrays(formulas, formulas_roots, formulas_rates, formulas_integrals, formulas_setup)
