@@ -112,6 +112,7 @@ def test_shapes_and_their_words(shape, good, bad, rule):
 
 def test_numbers_of_arrays_and_their_words():
     assert said(check.array, [1, np.nan]) == "`x` must be finite numbers; got [1, nan]."
+    assert said(check.array, -1.0, above=0) == "`x` must be positive finite numbers; got -1.0."
     assert said(check.array, [0, 1], above=0) == "`x` must be positive finite numbers; got [0, 1]."
     assert said(check.array, [-1, 1], least=0) == "`x` must be finite numbers, not negative; got [-1, 1]."
     assert said(check.array, [1, 1], (2,), least=2) == "`x` must be two finite numbers at least 2; got [1, 1]."

@@ -173,7 +173,7 @@ def array(
     if is_traced(values):
         return values
     known = np.asarray(values)
-    good = np.isfinite(known)
+    good = np.asarray(np.isfinite(known))
     if above is not None:
         good &= known > above
     if least is not None:
