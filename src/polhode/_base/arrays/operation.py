@@ -54,7 +54,7 @@ class Point:
 
     def spread(self, changes: Sequence[Array]) -> list[Array]:
         """Return a change of each array, zeros of those that do not change."""
-        spread = [jnp.zeros_like(x) for x in self.arrays]
+        spread: list[Array] = [jnp.zeros_like(x) for x in self.arrays]
         for k, dx in zip(self.which, changes, strict=True):
             spread[k] = dx
         return spread
@@ -221,14 +221,14 @@ class _LinearMap(NamedTuple):
     Attributes:
         forward: all operands → results.
         back: its transpose: the first operands, and weights of the results → those of the others; None refuses it.
-        count: of the first operands.
+        width: how many the first operands are.
         kinds: of the results of ``forward`` and ``back``, so that neither is traced to ask for them.
         name, second, at_once: of the operation.
     """
 
     forward: Callable[..., list[Array]]
     back: Callable[..., list[Array]] | None
-    count: int
+    width: int
     kinds: tuple[tuple[_Kind, ...], tuple[_Kind, ...]]
     name: str
     second: str
@@ -239,7 +239,7 @@ class _LinearMap(NamedTuple):
 
 
 def _jvp(primals: Any, tangents: Any, *, linear: _LinearMap) -> tuple[list[Array], list[Array]]:
-    count, name = linear.count, linear.name
+    count, name = linear.width, linear.name
     known, ways = primals[:count], primals[count:]
     changes = [ad.instantiate_zeros(tangent) for tangent in tangents[count:]]
     results, moved = linear(*known, *ways), linear(*known, *changes)
@@ -274,13 +274,13 @@ def _transpose(weights: Any, *args: Any, linear: _LinearMap) -> list[Any]:
             "one (jax.grad, jax.vjp, jax.jacrev). Take jax.jvp or jax.jacfwd."
         )
     back = linear._replace(forward=linear.back, back=linear.forward, kinds=linear.kinds[::-1])
-    cotangents = back(*args[: linear.count], *(ad.instantiate_zeros(weight) for weight in weights))
-    own = [x if ad.is_undefined_primal(way) else None for x, way in zip(cotangents, args[linear.count :], strict=True)]
-    return [None] * linear.count + own
+    cotangents = back(*args[: linear.width], *(ad.instantiate_zeros(weight) for weight in weights))
+    own = [x if ad.is_undefined_primal(way) else None for x, way in zip(cotangents, args[linear.width :], strict=True)]
+    return [None] * linear.width + own
 
 
 def _batch(args: Any, axes: Any, *, linear: _LinearMap) -> tuple[list[Array], list[int]]:
-    count = linear.count
+    count = linear.width
     size = next(x.shape[axis] for x, axis in zip(args, axes, strict=True) if axis is not None)
 
     def each(function: Callable[..., list[Array]]) -> Callable[..., list[Array]]:
