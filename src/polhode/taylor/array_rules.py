@@ -22,7 +22,7 @@ from polhode._base.jaxprs import Entry, Listing, Scan
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.kernel_series import MAX_ANGLE_CHANGE, MAX_EXPONENT_CHANGE
 from polhode.taylor.operations import Operation, squared_secant
-from polhode.taylor.recurrences import RECURRENCES, Word, Words
+from polhode.taylor.recurrences import RECURRENCES, Coefficients, Word, Words
 from polhode.types import Array, Shaped
 
 AFFINE = frozenset(MOVES) | {
@@ -200,27 +200,14 @@ class _Terms(Word):
         one, other = (x if isinstance(x, _Terms) else _Terms(x) for x in (left, right))
         if symbol == "-":  # of weights alone
             return _Terms(one.weights - other.weights)
+        if symbol != "*":
+            return super().operate(symbol, left, right)
         return _Terms(one.weights * other.weights, one.arrays * other.arrays)
 
     def add_up(self) -> Array:
-        """Return the sum."""
+        """Return the sum, where weights come last, so that one factor for all of an order is multiplied once."""
         weights = jnp.reshape(self.weights * 1.0, (-1, *[1] * (self.arrays.ndim - 1)))
         return jnp.sum(weights * self.arrays, axis=0)
-
-
-class _Coefficients:
-    """The coefficients of an array; for the order j of a sum, and for k − j, those of all terms."""
-
-    def __init__(self, sums: _Sums, series: Series) -> None:
-        self.sums, self.series = sums, series
-
-    def __getitem__(self, order: Any) -> Any:
-        k, series = self.sums.k, self.series
-        if not isinstance(order, _Terms):
-            return series[order]
-        if isinstance(series, list):
-            return _Terms(1, jnp.stack([series[j] for j in order.weights]))
-        return _Terms(1, series if order is self.sums.j else jnp.roll(jnp.asarray(series)[::-1], k + 1, axis=0))
 
 
 class _Sums(Words):
@@ -234,8 +221,16 @@ class _Sums(Words):
     def squared_secant(self, x: Array) -> Array:
         return squared_secant(x, jnp)
 
+    def find(self, series: Series, order: Any) -> Any:
+        """Return a coefficient; for the order j of a sum, and for k − j, those of all terms."""
+        if not isinstance(order, _Terms):
+            return series[order]
+        if isinstance(series, list):
+            return _Terms(1, jnp.stack([series[j] for j in order.weights]))
+        return _Terms(1, series if order is self.j else jnp.roll(jnp.asarray(series)[::-1], self.k + 1, axis=0))
+
     def orders(self, stop: Any) -> _Terms:
-        """Return the orders j of a sum, of an array all."""
+        """Return the orders j of a sum: all that an array has, in whose place zeros of unknown ones are added too."""
         self.j = _Terms(np.arange(stop) if isinstance(self.example, list) else jnp.arange(len(self.example)))
         return self.j
 
@@ -249,7 +244,7 @@ def _factors(left: Series, right: Series, k: Any, stop: Any) -> tuple[Array, Arr
     """Return a_j and b_{k−j} for all j < stop."""
     sums = _Sums(k, left)
     j = sums.orders(stop)
-    return _Coefficients(sums, left)[j].arrays, _Coefficients(sums, right)[k - j].arrays
+    return sums.find(left, j).arrays, sums.find(right, k - j).arrays
 
 
 def _cauchy(left: Series, right: Series, k: Any, stop: Any) -> Array:
@@ -327,13 +322,14 @@ class _Function:
         if is_first(k):
             values = self.recurrence.values(sums, x[0], self.number) if self.more else ()
             return [*self.entry.bind([x[0], *arguments[1:]]), *(values[place] for place in self.order[1:])]
-        argument, *series = (_Coefficients(sums, of) for of in (x, *(own[place] for place in self.order)))
-        results = []
-        for value in self.recurrence.coefficients(sums, k, argument, series, self.number):
-            if self.more:
-                result = series[len(results)]
-                result.series = add_order(result.series, value, k)
+        series, results = [x, *(own[place] for place in self.order)], []
+        argument, *of_results = (
+            Coefficients(lambda order, i=i: sums.find(series[i], order)) for i in range(len(series))
+        )
+        for value in self.recurrence.coefficients(sums, k, argument, of_results, self.number):
             results.append(value)
+            if self.more:
+                series[len(results)] = add_order(series[len(results)], value, k)
         return [results[place] for place in self.order]
 
 

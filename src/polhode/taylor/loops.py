@@ -7,7 +7,7 @@ from collections.abc import Callable
 from types import FunctionType
 from typing import Any
 
-from polhode.taylor.recurrences import RECURRENCES, Recurrence, Word, Words
+from polhode.taylor.recurrences import RECURRENCES, Coefficients, Recurrence, Word, Words
 
 
 def write_function(space: dict[str, Any]) -> FunctionType:
@@ -35,7 +35,7 @@ def _print(recurrence: Recurrence) -> tuple[list[str], list[str]]:
     slots = ["out", *(f"out + {i}" for i in range(1, recurrence.results))]
     values = recurrence.values(first, _Text("z[x]"), number)
     first.lines += [f"z[{slot}] = {value}" for slot, value in zip(slots, values, strict=True)]
-    x, *own = (_Coefficients(later, name, slot) for name, slot in zip("xuvwd", ["x", *slots], strict=False))
+    x, *own = (later.of(name, slot) for name, slot in zip("xuvwd", ["x", *slots], strict=False))
     for slot, value in zip(slots, recurrence.coefficients(later, _Text("k"), x, own, number), strict=False):
         later.lines.append(f"z[base + {slot}] = {value}")
     return first.lines, later.lines
@@ -57,24 +57,6 @@ class _Text(Word):
         return _Text(f"-{self}")
 
 
-class _Coefficients:
-    """The coefficients of a node; in a loop their index goes along with j, or against it."""
-
-    def __init__(self, loops: _Loops, name: str, slot: str) -> None:
-        self.loops, self.name, self.slot = loops, name, slot
-
-    def __getitem__(self, order: Any) -> _Text:
-        match str(order):
-            case "0":
-                return _Text(f"z[{self.slot}]")
-            case "k":
-                return _Text(f"z[base + {self.slot}]")
-            case "j":
-                return self.loops.move(self.name, self.slot, "+")
-            case _:
-                return self.loops.move(f"{self.name}_late", f"base + {self.slot}", "-")
-
-
 class _Loops(Words):
     """The words of ``recurrences``: statements so far, and the indices that move in the loop that is written."""
 
@@ -94,10 +76,23 @@ class _Loops(Words):
         self.lines.append(f"shared = {x}")
         return _Text("shared")
 
-    def move(self, index: str, start: str, sign: str) -> _Text:
-        """Return the number at an index that moves by an order from term to term."""
-        self.indices[index] = start, sign
-        return _Text(f"z[{index}]")
+    def of(self, name: str, slot: str) -> Coefficients:
+        """Return the coefficients of a node; in a loop their index goes along with j, or against it."""
+
+        def find(order: Any) -> _Text:
+            match str(order):
+                case "0":
+                    return _Text(f"z[{slot}]")
+                case "k":
+                    return _Text(f"z[base + {slot}]")
+                case "j":
+                    index, start, sign = name, slot, "+"
+                case _:
+                    index, start, sign = f"{name}_late", f"base + {slot}", "-"
+            self.indices[index] = start, sign
+            return _Text(f"z[{index}]")
+
+        return Coefficients(find)
 
     def totals(self, first: Any, stop: Any, starts: tuple[Any, ...], terms: Callable[[Any], Any]) -> list[_Text]:
         before, self.lines, self.indices = self.lines, [], {}

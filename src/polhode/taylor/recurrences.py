@@ -4,16 +4,18 @@ A formula of coefficients yields those of all results of an operation, one after
 
     w: see ``Words``.
     k: the order.
-    x: coefficients of the argument, ``x[j]`` that of order j; of both arguments where there are two.
+    x: coefficients of the argument, ``x[j]`` that of order j.
     own: those of the results, each known from where it is yielded.
     number: an exponent or an eccentricity.
 
 A formula of values has functions of numbers by their names in ``vectors``.
 
 ``loops`` prints the formulas for Python and Numba, ``straight_line`` writes them as machine code, ``array_rules`` runs
-them on arrays of JAX and ``proving.enclosures`` on balls. Sums are taken from the lowest j up, and products as their
-parentheses say, but by arrays of JAX, where the weights of the orders come last: that is what Python, Numba and machine
-code agree by to the last bit.
+them on arrays of JAX, and ``proving.enclosures`` on balls. Sums are taken from the lowest j up and products as their
+parentheses say, so that Python, Numba and machine code agree to the last bit. Arrays multiply by weights last.
+
+Products have no row: their coefficients are Cauchy's Σ_{j≤k} a_j b_{k−j}, which kernels take in two sums that need not
+wait for each other, see ``kernel_lanes``. ``kernel_extended`` has the power's formula once more, for pairs.
 
 Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §2.1; Griewank & Walther, *Evaluating Derivatives*, ch. 13.
 """
@@ -36,7 +38,7 @@ class Words:
         return self.totals(first, stop, (start,), lambda j: (terms(j),))[0]
 
     def totals(self, first: Any, stop: Any, starts: tuple[Any, ...], terms: Callable[[Any], Any]) -> Sequence[Any]:
-        """Return sums."""
+        """Return a sum for each start; ``terms(j)`` has as many terms."""
         raise NotImplementedError
 
     def share(self, x: Any) -> Any:
@@ -74,6 +76,16 @@ class Word:
 
     def __truediv__(self, other: Any) -> Any:
         return self.operate("/", self, other)
+
+
+class Coefficients:
+    """The coefficients of a node, which an implementation finds by their order."""
+
+    def __init__(self, find: Callable[[Any], Any]) -> None:
+        self._find = find
+
+    def __getitem__(self, order: Any) -> Any:
+        return self._find(order)
 
 
 class Recurrence(NamedTuple):

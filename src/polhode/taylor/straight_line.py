@@ -35,7 +35,7 @@ from polhode.taylor.program import (
     START,
     Program,
 )
-from polhode.taylor.recurrences import RECURRENCES, Word, Words
+from polhode.taylor.recurrences import RECURRENCES, Coefficients, Word, Words
 from polhode.taylor.vectors import WIDTH
 
 Terms = Callable[[Any, Any], list[Any]]
@@ -82,8 +82,8 @@ def _parts(whole: list[Any], size: int) -> list[list[Any]]:
     return [whole[low : low + size] for low in range(0, len(whole), size)]
 
 
-class _Writer(Writer):
-    """The writer of a program's code."""
+class _Writer(Writer, Words):
+    """The writer of a program's code, and the words of its recurrences."""
 
     def __init__(self, whole: Any, signs: Any, counts: Any, lanes: int) -> None:
         super().__init__(lanes)
@@ -101,7 +101,7 @@ class _Writer(Writer):
         self._rates(self.flat, None, unit)
 
         def of_order(k: Any) -> list[Any]:
-            now = self.locate_row(k)
+            now = self._locate_row(k)
             self._of_order(k, now)
             self._rates(now, k, unit)
             return []
@@ -118,12 +118,11 @@ class _Writer(Writer):
 
     # ------------------------------------------------------------------ numbers
 
-    def z(self, row: Any, slot: int) -> Any:
+    def _z(self, row: Any, slot: int) -> Any:
         """Return the coefficient of a node, of the order whose row begins there."""
         return self.load(row, slot * self.lanes)
 
-    def locate_row(self, j: Any) -> Any:
-        """Return where an order begins."""
+    def _locate_row(self, j: Any) -> Any:
         return self.builder.gep(self.flat, [self.builder.mul(j, INTEGER(self.row))])
 
     # ------------------------------------------------------------------ one order
@@ -157,7 +156,7 @@ class _Writer(Writer):
         value = self.spread(DOUBLE(0.0))
         first, last = whole[whole[START] + number : whole[START] + number + 2]
         for q in range(first, last):
-            z, sign = self.z(row, whole[whole[INDEX] + q]), self.signs[q]
+            z, sign = self._z(row, whole[whole[INDEX] + q]), self.signs[q]
             if sign == 0:
                 z = builder.fmul(self.spread(self.load_number(whole[FACTOR] + q)), z)
             if q == first:
@@ -190,7 +189,7 @@ class _Writer(Writer):
                     for q in blocks for p, m in enumerate(self._members(q))]
             if k is None:
                 for left, right, out in ones:
-                    self.store(self.builder.fmul(self.z(now, left), self.z(now, right)), now, out * WIDTH)
+                    self.store(self.builder.fmul(self._z(now, left), self._z(now, right)), now, out * WIDTH)
                 return
             for part in _parts(ones, most_together()):
                 self._sums(k, now, self._of_copies(part), [out * WIDTH for _, _, out in part])
@@ -222,9 +221,9 @@ class _Writer(Writer):
         """Return the function for the terms of products, whose common factors are loaded once; see ``kernel_lanes``."""
 
         def terms(left: Any, right: Any) -> list[Any]:
-            lefts, rights = self.locate_row(left), self.locate_row(right)
-            x = {i: self.z(lefts, i) for i, _, _ in products}
-            y = {j: self.z(rights, j) for _, j, _ in products}
+            lefts, rights = self._locate_row(left), self._locate_row(right)
+            x = {i: self._z(lefts, i) for i, _, _ in products}
+            y = {j: self._z(rights, j) for _, j, _ in products}
             return [self.builder.fmul(x[i], y[j]) for i, j, _ in products]
 
         return terms
@@ -235,7 +234,7 @@ class _Writer(Writer):
         for table, store in ((LEFT, self.a), (RIGHT, self.b)):
             value = ir.Constant(VECTOR, ir.Undefined)
             for lane in range(WIDTH):
-                factor = self.z(now, self.whole[self.whole[table] + first + lane])
+                factor = self._z(now, self.whole[self.whole[table] + first + lane])
                 value = self.builder.insert_element(value, factor, ir.IntType(32)(lane))
             self.store(value, self._locate_kept_row(store, k), first)
             kept.append(value)
@@ -283,10 +282,24 @@ class _Writer(Writer):
         """Write the recurrence of a function of node x."""
         results, _, coefficients = RECURRENCES[operation]
         order, scalar = _Value(self, k), _Value(self, self.load_number(number))
-        rows, slots = {0: self.flat, order: now}, range(out, out + results)
-        argument, *own = (_Coefficients(self, rows, slot) for slot in (x, *slots))
-        for place, result in enumerate(coefficients(_Sums(self), order, argument, own, scalar), out):
+        rows = {0: self.flat, order: now}
+
+        def of(slot: int) -> Coefficients:
+            find_row = lambda j: rows[j] if j in rows else self._locate_row(j.value)  # noqa: E731
+            return Coefficients(lambda j: _Value(self, self._z(find_row(j), slot)))
+
+        own = [of(slot) for slot in range(out, out + results)]
+        for place, result in enumerate(coefficients(self, order, of(x), own, scalar), out):
             self.store(result.value, now, place * self.lanes)
+
+    def totals(self, first: Any, stop: Any, starts: tuple[Any, ...], terms: Callable[[Any], Any]) -> list[_Value]:
+        carried = [x.value if isinstance(x, _Value) else self.spread(DOUBLE(x)) for x in starts]
+
+        def add(j: Any, *totals: Any) -> list[Any]:
+            parts = terms(_Value(self, j))
+            return [self.builder.fadd(total, part.value) for total, part in zip(totals, parts, strict=True)]
+
+        return [_Value(self, total) for total in self.loop(INTEGER(first), stop.value, 1, carried, add)]
 
 
 class _Value(Word):
@@ -301,31 +314,3 @@ class _Value(Word):
 
     def __neg__(self) -> _Value:
         return _Value(self.writer, self.writer.builder.fneg(self.value))
-
-
-class _Coefficients:
-    """The coefficients of a node, and where some orders begin."""
-
-    def __init__(self, writer: _Writer, rows: dict[Any, Any], slot: int) -> None:
-        self.writer, self.rows, self.slot = writer, rows, slot
-
-    def __getitem__(self, order: Any) -> _Value:
-        row = self.rows[order] if order in self.rows else self.writer.locate_row(order.value)
-        return _Value(self.writer, self.writer.z(row, self.slot))
-
-
-class _Sums(Words):
-    """Loops of LLVM."""
-
-    def __init__(self, writer: _Writer) -> None:
-        self.writer = writer
-
-    def totals(self, first: Any, stop: Any, starts: tuple[Any, ...], terms: Callable[[Any], Any]) -> list[_Value]:
-        writer = self.writer
-        carried = [x.value if isinstance(x, _Value) else writer.spread(DOUBLE(x)) for x in starts]
-
-        def add(j: Any, *totals: Any) -> list[Any]:
-            parts = terms(_Value(writer, j))
-            return [writer.builder.fadd(total, part.value) for total, part in zip(totals, parts, strict=True)]
-
-        return [_Value(writer, total) for total in writer.loop(INTEGER(first), stop.value, 1, carried, add)]
