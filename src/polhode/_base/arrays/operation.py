@@ -99,8 +99,8 @@ class Operation:
         back: its transpose; None where JAX transposes what ``forward`` consists of.
         keep: arguments → results, and what ``forward`` gets instead of them; by default the results themselves.
         order: of the derivative that this operation's first one would be to the user.
-        second: with ``back``, which second derivatives there are: "none"; "forward", the derivatives of ``forward``
-            and ``back`` that JAX takes forward; or "any", where it can transpose these too.
+        second: with ``back``, which second derivatives there are: "none"; "forward", those of ``forward`` and ``back``
+            that JAX takes forward; or "any", where it differentiates both in either mode.
         at_once: whether derivatives that no compiled function contains are computed piece by piece, not compiled.
     """
 
@@ -239,26 +239,28 @@ class _LinearMap(NamedTuple):
 
 
 def _jvp(primals: Any, tangents: Any, *, linear: _LinearMap) -> tuple[list[Array], list[Array]]:
-    count, name = linear.width, linear.name
-    known, ways = primals[:count], primals[count:]
-    changes = [ad.instantiate_zeros(tangent) for tangent in tangents[count:]]
-    results, moved = linear(*known, *ways), linear(*known, *changes)
-    moving = [k for k, tangent in enumerate(tangents[:count]) if not isinstance(tangent, ad.Zero)]
-    if not moving:
-        return results, moved
+    count, twice = linear.width, linear.second == "any"
+    results = linear(*primals)
+    moved = lambda: linear(*primals[:count], *(ad.instantiate_zeros(tangent) for tangent in tangents[count:]))  # noqa: E731
+    moving = [k for k, tangent in enumerate(tangents) if not isinstance(tangent, ad.Zero)]
+    if all(k >= count for k in moving):
+        return results, moved()
     if linear.second == "none":
-        _refuse(name, 2)
+        _refuse(linear.name, 2)
+    # what JAX can transpose is differentiated at once by all that moves; a loop only by where it is
+    moving = [k for k in moving if twice or k < count]
 
-    def of_known(*values: Array) -> list[Array]:
-        at = list(known)
+    def of_moving(*values: Array) -> list[Array]:
+        operands = list(primals)
         for k, x in zip(moving, values, strict=True):
-            at[k] = x
-        return linear.forward(*at, *ways)
+            operands[k] = x
+        return linear.forward(*operands)
 
-    _, slopes = jax.jvp(of_known, [known[k] for k in moving], [tangents[k] for k in moving])
-    if linear.second == "forward":
-        slopes = _forward_only(slopes, f"the derivative of {name}")
-    return results, [a + b for a, b in zip(moved, slopes, strict=True)]
+    _, slopes = jax.jvp(of_moving, [primals[k] for k in moving], [tangents[k] for k in moving])
+    if twice:
+        return results, slopes
+    slopes = _forward_only(slopes, f"the derivative of {linear.name}")
+    return results, [a + b for a, b in zip(moved(), slopes, strict=True)]
 
 
 def _forward_only(values: list[Array], name: str) -> list[Array]:
