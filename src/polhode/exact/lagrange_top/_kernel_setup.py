@@ -1,7 +1,7 @@
 """The set-up of many tops, from moments to the columns of ``formulas.Motion``, compiled by Numba.
 
-The same steps as ``reduction``, ``roots``, ``frequencies`` and ``preparation``, in blocks of tops and in loops that
-LLVM turns into vector instructions. Tops are sorted on the way: those that take the full form first, then those that
+The steps of the formulas, and of ``reduction`` and ``roots``, in blocks of tops and in loops that LLVM turns into
+vector instructions. Tops are sorted on the way: those that take the full form first, then those that
 take the complementary one. Tops that have no weight, that do not nutate, and that end upright are left to NumPy.
 """
 
