@@ -260,7 +260,7 @@ def test_an_irrational_equilibrium_is_moved_or_refused():
     gyrostat = ph.systems.Gyrostat((1.0, 2.0, 3.0), (0.1, 0.7, 0.4))
     point = ph.find_equilibria(gyrostat, np.array([0.3, 0.4, 1.0]))[0]
     found = exact(gyrostat, point)
-    assert 0 < found.equations.moved < 1e-9 and not any(f(*found.equations.point) for f in found.equations.field)
+    assert 0 < float(found.equations.moved) < 1e-9 and not any(f(*found.equations.point) for f in found.equations.field)
     turned = np.array([[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]])
     skew = turned @ np.diag([1.0, 0.5, 1 / 3]) @ turned.T + 0.01 * np.ones((3, 3))
     body = ph.systems.LiePoisson(ph.algebra.SO3(), lambda L: 0.5 * L @ skew @ L)
