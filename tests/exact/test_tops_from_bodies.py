@@ -264,7 +264,7 @@ REFUSED = {
                             r"its moments at the pivot are \(.*\) kg m²\. Check"),
     "no gravity": (lambda: _top(CONE, (0, 0, 0.04), VELOCITY, gravity=0.0),
                    r"`gravity` must be positive and finite \[m/s²\]; got 0"),
-    "pivot of two": (lambda: _top(CONE, (0, 0), VELOCITY), r"`point` must have shape \(3,\)"),
+    "pivot of two": (lambda: _top(CONE, (0, 0), VELOCITY), r"`point` must be three finite numbers; got shape \(2,\)"),
     "a thin rod": (lambda: _top(ph.shapes.rod(1, 1).placed(translation=(0, 0, 0.5)), (0, 0, 0),
                                                        VELOCITY), "`moments` must be positive"),
     "attitude of three": (lambda: _top(CONE, (0, 0, 0.04), VELOCITY, attitude=(1, 0, 0)),

@@ -148,7 +148,7 @@ CALLED_BY_OTHERS = {
     "bodies.atoms.explain_symbol", "celestial.spin_orbit.motion.steps_for",
     "celestial.spin_orbit.resonances.make_kicks", "celestial.spin_orbit.resonances.scale_start",
     "celestial.spin_orbit.resonances.steps_per_orbit",
-    "celestial.spin_orbit.resonances.check_count", "celestial.spin_orbit.resonances.follow_neighbours",
+    "celestial.spin_orbit.resonances.follow_neighbours",
     "analysis.stability.scaled_field", "bodies.atoms.atomic_masses", "bodies.atoms.isotopic_masses",
     "bodies.atoms.is_element", "bodies.atoms.mass_properties", "bodies.body.check_is_body", "bodies.surface.cuboid",
     "bodies.surface.places", "bodies.surface.weld_corners", "spectra.semiclassics.phase",

@@ -130,7 +130,7 @@ def test_a_dipole_for_atoms(run):
     (("lines", EXAMPLES / "formaldehyde.toml", "--from", "3"), "--from needs a unit"),
     (("lines", EXAMPLES / "formaldehyde.toml", "--from", "3 GHz", "--to", "2 GHz"), "must not be above --to"),
     (("lines", EXAMPLES / "formaldehyde.toml", "--temperature", "3 m"), "--temperature has the wrong unit"),
-    (("lines", EXAMPLES / "formaldehyde.toml", "--min-intensity", "nan"), "--min-intensity must be a number"),
+    (("lines", EXAMPLES / "formaldehyde.toml", "--min-intensity", "nan"), "must be a number in decimal digits"),
     (("levels", EXAMPLES / "formaldehyde.toml", "--j-max", "2.5"), "must be a whole number from 0 to 1000"),
     (("levels", EXAMPLES / "euler_disk.toml"), "there is no molecule"),
     (("levels", EXAMPLES / "none.xyz"), "no such molecule file"),

@@ -64,7 +64,9 @@ def number(
     polhode.errors.InvalidInput: `rate` must be positive and finite [rad/s]; got -1.
     """
     x = _as_float(value)
-    if not math.isfinite(x) or hasattr(value, "dtype"):
+    if isinstance(value, str | bytes):
+        remedy = remedy or "Functions take SI numbers; text with units is for specs."
+    elif not math.isfinite(x) or hasattr(value, "dtype"):
         require_doubles(**{name: value})
     low = (above is None or x > above) and (least is None or x >= least)
     high = (below is None or x < below) and (most is None or x <= most)

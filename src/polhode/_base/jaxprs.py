@@ -14,7 +14,7 @@ import copy
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, TypeVar
 
-from polhode.types import Array
+from polhode.types import Array, Shaped
 
 CALLS = frozenset((
     "jit", "pjit", "call", "core_call", "closed_call", "custom_jvp_call", "custom_vjp_call", "remat", "remat2",
@@ -334,7 +334,7 @@ def _mark_carried(carry: list[bool], advance: Callable[[list[bool]], list[bool]]
         carry = later
 
 
-def numbers_within(closed: Any) -> Iterator[Array]:
+def numbers_within(closed: Any) -> Iterator[Shaped[Array, "..."]]:
     """Yield all numbers that a function, and functions within it, contain: constants and literals."""
     for jaxpr, constants in _all_within(closed):
         yield from constants

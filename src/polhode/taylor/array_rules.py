@@ -204,7 +204,7 @@ class _Terms(Word):
             return super().operate(symbol, left, right)
         return _Terms(one.weights * other.weights, one.arrays * other.arrays)
 
-    def add_up(self) -> Array:
+    def add_up(self) -> Shaped[Array, "..."]:
         """Return the sum, where weights come last, so that one factor for all of an order is multiplied once."""
         weights = jnp.reshape(self.weights * 1.0, (-1, *[1] * (self.arrays.ndim - 1)))
         return jnp.sum(weights * self.arrays, axis=0)
@@ -218,7 +218,7 @@ class _Sums(Words):
     def __init__(self, k: Any, example: Series) -> None:
         self.k, self.example = k, example
 
-    def squared_secant(self, x: Array) -> Array:
+    def squared_secant(self, x: Array) -> Shaped[Array, "..."]:
         return squared_secant(x, jnp)
 
     def find(self, series: Series, order: Any) -> Any:
@@ -234,7 +234,9 @@ class _Sums(Words):
         self.j = _Terms(np.arange(stop) if isinstance(self.example, list) else jnp.arange(len(self.example)))
         return self.j
 
-    def totals(self, first: Any, stop: Any, starts: tuple[Any, ...], terms: Callable[[Any], Any]) -> list[Array]:
+    def totals(
+        self, first: Any, stop: Any, starts: tuple[Any, ...], terms: Callable[[Any], Any]
+    ) -> list[Shaped[Array, "..."]]:
         # from j = 0, as terms before the first have weight zero
         sums = (part.add_up() for part in terms(self.orders(stop)))
         return [total if isinstance(x, float) else x + total for x, total in zip(starts, sums, strict=True)]

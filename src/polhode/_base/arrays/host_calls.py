@@ -9,18 +9,20 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache, partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import jax
 import jax.numpy as jnp
 import numpy as np
 
 from polhode._base.arrays.differences import differences
-from polhode._base.arrays.elementwise import Elementwise
 from polhode._base.arrays.operation import Operation, Point, along
 from polhode._base.arrays.underflow import gradual_underflow, remember_environment
 from polhode._base.jax_inner import Primitive, ShapedArray, batching, mlir
 from polhode.types import Array
+
+if TYPE_CHECKING:
+    from polhode._base.arrays.elementwise import Elementwise
 
 
 @cache
@@ -60,8 +62,8 @@ def _differential(function: Elementwise) -> Elementwise:
 
     columns = (function.height, function.width), float
     again = partial(differences, function) if function.order == 1 else None
-    return Elementwise(function.name, both, function.inputs, (*function.outputs, columns), again, function.positive,
-                       function.order + 1, on_host=function.on_host)  # fmt: skip
+    return replace(function, values=both, outputs=(*function.outputs, columns), jacobian=again,
+                   order=function.order + 1, forward=None, back=None)  # fmt: skip
 
 
 @cache

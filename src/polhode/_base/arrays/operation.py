@@ -18,7 +18,7 @@ from jax.custom_derivatives import SymbolicZero
 from polhode._base.arrays.namespaces import is_jax, is_traced
 from polhode._base.jax_inner import Primitive, ShapedArray, ad, batching, mlir
 from polhode.errors import InvalidInput
-from polhode.types import Array
+from polhode.types import Array, Shaped
 
 REFUSALS = {
     1: "no derivatives; take differences of its values.",
@@ -28,7 +28,7 @@ REFUSALS = {
 """What is said instead of the first, second and third derivative."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Point:
     """Arguments of an operation, and by which of their arrays it is differentiated.
 
@@ -48,11 +48,11 @@ class Point:
         return self.fill(self.arrays)
 
     @property
-    def moving(self) -> list[Array]:
+    def moving(self) -> list[Shaped[Array, "..."]]:
         """The arrays that change."""
         return [self.arrays[k] for k in self.which]
 
-    def spread(self, changes: Sequence[Array]) -> list[Array]:
+    def spread(self, changes: Sequence[Array]) -> list[Shaped[Array, "..."]]:
         """Return a change of each array, zeros of those that do not change."""
         spread: list[Array] = [jnp.zeros_like(x) for x in self.arrays]
         for k, dx in zip(self.which, changes, strict=True):
