@@ -9,13 +9,15 @@ import numpy as np
 import pytest
 
 import polhode.algebra  # noqa: F401  switches on float64
+from polhode import systems
 from polhode._base import check
 from polhode.errors import FormatError, InvalidInput
 
 pytestmark = pytest.mark.usefixtures("any_type")
 NO_NUMBERS = [True, np.True_, None, "1", b"1", 1j, np.complex128(1), np.array(1j), [1.0], np.ones(1), [[1], [2, 3]],
               np.datetime64("2026-01-01"), np.float32(1), np.float16(1), jnp.float32(1),
-              10**400, Fraction(10**400), Decimal("1e99999999"), float("nan"), float("inf"), -np.inf, {}]  # fmt: skip
+              np.array(True), np.array("5"), np.timedelta64(5, "s"), 10**400, Fraction(10**400),
+              Decimal("1e99999999"), float("nan"), float("inf"), -np.inf, {}]  # fmt: skip
 
 
 def said(function, *arguments, **options):
@@ -149,3 +151,25 @@ def test_traced_numbers():
     assert traced(-np.ones(3)).tolist() == [-2, -2, -2]
     with pytest.raises(InvalidInput, match=r"three positive finite numbers; got shape \(2,\)"):
         traced(np.ones(2))
+
+
+@pytest.mark.parametrize(
+    "value", [[True, True, 1], np.array([True, False, True]), [np.complex128(1j), 2, 3], [1j, 0, 0]]
+)
+def test_truth_values_and_complex_numbers_are_no_numbers_of_an_array(value):
+    assert said(check.array, value, (3,)).startswith("`x` must be three finite numbers; got ")
+
+
+def test_traced_numbers_are_told_what_they_are():
+    with pytest.raises(InvalidInput, match="`x` must be a known number, not one traced by JAX; got a traced one"):
+        jax.jit(lambda x: check.number("x", x, remedy="Outside."))(1.0)
+
+
+def test_bounds_are_written_in_the_digits_that_they_need():
+    assert said(check.number, 1.0, above=1.0000002) == "`x` must be a finite number above 1.0000002; got 1.0."
+    assert said(check.number, np.float64(-1.0), above=0) == "`x` must be positive and finite; got -1.0."
+
+
+def test_numbers_of_systems_are_not_weakly_typed():
+    """JAX would compile again for a strongly typed one, and compute with it in single precision."""
+    assert not systems.HeavyTop((1.0, 2.0, 3.0), 2).mgl.weak_type

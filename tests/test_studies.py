@@ -63,7 +63,7 @@ def test_a_notebook_shows_it():
         ({"precession": 1.0, "rotation": 2.0, "moments": (1, 2, 2.5), "semi_axes": (1, 1, 1)}, "both give the moments"),
         ({"precession": 1.0, "rotation": 2.0, "semi_axes": (1, 0, 1)}, "three positive numbers"),
         ({"body": "apophis", "mode": "tumbling"}, "`mode` must be \"short-axis\" or \"long-axis\"; got 'tumbling'"),
-        ({"body": "apophis", "aspect": 60.0}, "`aspect` must be from 0 to 180° .rad.; got 60"),
+        ({"body": "apophis", "aspect": 60.0}, "`aspect` must be from 0 to 3.142, 180°, .rad.; got 60"),
         ({"body": "apophis", "rotation": (1.0, 2.0, 3.0)}, "a number, one with its standard deviation, or a text"),
         ({"body": 5}, "no tumbler is called '5'"),
     ],

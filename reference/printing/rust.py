@@ -57,7 +57,7 @@ from printing.tree import (
 SCALARS = {"number": "f64", "flag": "bool", "whole": "i32"}
 RESERVED = {"as", "box", "fn", "in", "let", "loop", "match", "mod", "move", "ref", "self", "type", "use", "where"}
 METHODS = {
-    "square_root": "sqrt", "exponential": "exp", "floor": "floor", "abs": "abs", "larger": "max", "smaller": "min",
+    "square_root": "sqrt", "exponential": "exp", "floor": "floor", "abs": "abs",
     "arctangent": "atan", "angle_of": "atan2", "logarithm": "ln", "hyperbolic_sine": "sinh", "area_of_sine": "asinh",
 }  # fmt: skip
 """Words by the names of a number's methods; the others are functions of the crate."""

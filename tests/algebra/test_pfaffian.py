@@ -8,7 +8,7 @@ import pytest
 
 import polhode as ph
 from polhode import systems
-from polhode.algebra import matrix
+from polhode.algebra import _pfaffian
 from polhode.taylor.machine import build_machine
 
 
@@ -32,7 +32,7 @@ def antisymmetric(size, seed=0):
 def deviation(size):
     whole = antisymmetric(size)
     exact = [by_expansion([[Fraction(x) for x in row] for row in one]) for one in whole]
-    return max(abs(Fraction(float(x)) - y) for x, y in zip(matrix.pfaffian(whole), exact, strict=True))
+    return max(abs(Fraction(float(x)) - y) for x, y in zip(_pfaffian.pfaffian(whole), exact, strict=True))
 
 
 @pytest.mark.parametrize("size", [2, 4, 6, 8])
@@ -41,13 +41,13 @@ def test_whole_numbers_are_exact(size):
 
 
 def test_a_wrong_block_is_noticed(monkeypatch):
-    right = matrix._times_blocks
-    monkeypatch.setattr(matrix, "_times_blocks", lambda v: -right(v))
+    right = _pfaffian._times_blocks
+    monkeypatch.setattr(_pfaffian, "_times_blocks", lambda v: -right(v))
     assert deviation(6) > 1
 
 
 def test_operations_grow_like_a_power():
-    counts = [len(jax.make_jaxpr(matrix.pfaffian)(np.zeros((n, n))).eqns) for n in (8, 16)]
+    counts = [len(jax.make_jaxpr(_pfaffian.pfaffian)(np.zeros((n, n))).eqns) for n in (8, 16)]
     assert counts[1] < 2**4 * counts[0]  # an expansion has 105 terms of 8, and two million of 16
 
 

@@ -70,7 +70,7 @@ def words_of(path):
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}/{path.stem}")
 def test_formulas_keep_to_it(path):
-    assert not faults(path.read_text(), words_of(path))
+    assert not faults(path.read_text("utf-8"), words_of(path))
 
 
 def test_there_are_formulas_of_both_motions():

@@ -136,9 +136,9 @@ NO_ARRAYS = {
 }  # fmt: skip
 """Functions of objects, words and whole numbers, and records of known answers."""
 CALLED_BY_OTHERS = {
-    "measuring.throws.gyro_log.check_sizes", "algebra.base.HashableModule", "algebra.casimirs.check_degree",
+    "measuring.throws.gyro_log.check_sizes", "algebra.base.HashableModule", "algebra.casimirs.check_monomials",
     "algebra.casimirs.rational_brackets", "algebra.casimirs.invariant_polynomials", "algebra.constants.check_constants",
-    "algebra.matrix.adjoint", "algebra.matrix.traceless", "algebra.matrix.check_size", "algebra.matrix.pfaffian",
+    "algebra.matrix.adjoint", "algebra.matrix.traceless", "algebra.matrix.check_size",
     "algebra.so3.half_angle_factors", "algebra.so3.scaled_norm", "analysis.gyrostat_rotations.symmetry_axis",
     "systems.body_with_rotor.clean_direction", "rolling.euler_disk.system.rolling_parts",
     "proving.enclosures.enclosure.enclose_by_series", "analysis.energy_casimir.Stability",

@@ -102,7 +102,7 @@ ANSWER = 3.0 + 3.0 * 2.0 - 0.5
 
 @pytest.fixture
 def specimen(tmp_path, monkeypatch):
-    (tmp_path / "specimen.py").write_text(SPECIMEN)
+    (tmp_path / "specimen.py").write_text(SPECIMEN, "utf-8")
     monkeypatch.syspath_prepend(tmp_path)
     return read([Root("specimen", "answer")])
 
@@ -120,7 +120,7 @@ def test_a_specimen_in_c(specimen, tmp_path, options):
     assert "    double size; /* in a unit */" in lines
     assert "    /* a private function of the same name */" in lines
     main = "int main(void) { printf(\"%.17g\\n\", phd_answer(0.5)); return 0; }"
-    (tmp_path / "main.c").write_text("\n".join(["#include <stdio.h>", "#include <math.h>", *lines, main, ""]))
+    (tmp_path / "main.c").write_text("\n".join(["#include <stdio.h>", "#include <math.h>", *lines, main, ""]), "utf-8")
     assert answer_of([COMPILER, *options, *STRICT, tmp_path / "main.c"], tmp_path / "main") == ANSWER
 
 
@@ -130,7 +130,7 @@ def test_a_specimen_in_rust(specimen, tmp_path):
     lines = [line for module, node in ordered(specimen) for line in language.definition(module, node)]
     assert "    /// in a unit" in lines and "    // a private function of the same name" in lines
     head = ["#![allow(unused)]", *language.short_names("specimen")]
-    (tmp_path / "specimen.rs").write_text("\n".join([*head, *lines, ""]))
+    (tmp_path / "specimen.rs").write_text("\n".join([*head, *lines, ""]), "utf-8")
     (tmp_path / "main.rs").write_text('mod specimen;\nfn main() { println!("{}", specimen::answer(0.5)); }\n')
     command = [RUSTC, "--edition", "2021", "-D", "warnings", tmp_path / "main.rs"]
     assert answer_of(command, tmp_path / "main") == ANSWER

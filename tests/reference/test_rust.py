@@ -36,7 +36,7 @@ def test_its_own_tests(library, tmp_path, path):
 @needs_rustc
 def test_the_readme_in_rust(library, tmp_path):
     (example,) = re.findall(r"```rust\n(.*?)```", (REFERENCE / "README.md").read_text("utf-8"), re.DOTALL)
-    (tmp_path / "example.rs").write_text(example)
+    (tmp_path / "example.rs").write_text(example, "utf-8")
     printed = output_of(library, tmp_path / "example.rs", tmp_path / "example")
     assert printed.split() == [x for line in re.findall(r"// prints (.*)", example) for x in line.split()]
 

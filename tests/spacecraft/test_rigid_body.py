@@ -409,7 +409,7 @@ class NotBatched(AbstractTorque):
         (lambda: Wheel((0.0, 0.0, 0.0), 0.1), "`axis` must be a direction"),
         (lambda: Wheel((1.0, 0.0), 0.1), "`axis` must be three finite"),
         (lambda: Wheel(FIRST, 0.0), "`moment` must be positive and finite"),
-        (lambda: Wheel(FIRST, 0.1, "fast"), "`motor` must be numbers; got .fast."),
+        (lambda: Wheel(FIRST, 0.1, "fast"), "`motor` must be a finite number .N m.; got .fast.. Functions take SI"),
         (lambda: Wheel(FIRST, 0.1, friction=-1.0), "`friction` must be finite and not negative"),
         (lambda: HeldWheel(FIRST, 0.1, np.inf), "`rate` must be a finite number"),
         (lambda: SphericalSlug(0.1, -1.0), "`damping` must be finite and not negative"),

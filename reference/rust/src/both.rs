@@ -226,7 +226,7 @@ pub fn mean_closed(x: f64, e: f64, middle: Pair, q: f64, total: Pair) -> TwoPair
 ///
 /// Rates go down to 1e-150, whose fourth powers would underflow. Scaled down, a tiny g would.
 pub fn mean_start(a: Pair, g: Pair, pp: Pair) -> (FivePairs, f64) {
-    let power = binary_exponent(a.0).min(0.0 * a.0);
+    let power = smaller(binary_exponent(a.0), 0.0 * a.0);
     let up = times_power(1.0, -power);
     let one = (1.0, 0.0);
     ((scale(a, up), scale(g, up), scale(scale(pp, up), up), one, one), power)

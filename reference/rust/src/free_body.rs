@@ -110,9 +110,9 @@ pub fn scaled(moments: Three, momentum: Three) -> Scaled {
     let (x, y, parity) = _in_order((moments.0, momentum.0, 0.0), (moments.1, momentum.1, 1.0), 1.0);
     let (y, z, parity) = _in_order(y, (moments.2, momentum.2, 2.0), parity);
     let (x, y, parity) = _in_order(x, y, parity);
-    let size = x.1.abs().max(y.1.abs()).max(z.1.abs());
+    let size = larger(larger(x.1.abs(), y.1.abs()), z.1.abs());
     // a component down to the smallest number keeps its digits in what is formed of it
-    let smallest = _size(x.1, size).min(_size(y.1, size)).min(_size(z.1, size));
+    let smallest = smaller(smaller(_size(x.1, size), _size(y.1, size)), _size(z.1, size));
     let of_momentum = binary_exponent(size) - (if smallest < TINY_RATIO * size { LIFT } else { 0.0 });
     let of_moments = binary_exponent(z.0);
     Scaled {
@@ -145,7 +145,7 @@ pub fn sums_of(body: &Scaled) -> Sums {
 }
 
 pub fn _exponent_near_saddle(body: &Scaled) -> f64 {
-    binary_exponent(body.momentum.0.abs().max(body.momentum.2.abs()))
+    binary_exponent(larger(body.momentum.0.abs(), body.momentum.2.abs()))
 }
 
 /// Return the moments, and L1 and L3 scaled up: near the saddle their squares would lose their low words.
@@ -252,7 +252,7 @@ pub fn signed_distance(body: &Scaled, sums: &Sums) -> Pair {
 
 /// Return √(C x² + B y²), of which the sum is given but may have lost digits, or all, to underflow.
 pub fn _root_of_sum(value: f64, c: f64, x: f64, b: f64, y: f64) -> f64 {
-    let exponent = binary_exponent(x.abs().max(y.abs()));
+    let exponent = binary_exponent(larger(x.abs(), y.abs()));
     let x = times_power(x, -exponent);
     let y = times_power(y, -exponent);
     if value > SHARP { value.sqrt() } else { times_power((c * x * x + b * y * y).sqrt(), exponent) }
@@ -451,7 +451,7 @@ pub fn complementary_phase(m: &Motion, time: Three) -> Seven {
     let f = u * side;
     let g = u_rest * side;
     let (e, e_factor) = both::exponent(f, g, upper, lower);
-    let distance = (0.5 - f).max(0.0);
+    let distance = larger(0.5 - f, 0.0);
     let (r, r_factor) = both::exponent(distance, (0.5 - distance - f) * periodic - g, upper, lower);
     (turns, side, count, e, e_factor, r, periodic * r_factor)
 }
@@ -980,9 +980,9 @@ pub fn _permanent_rate(body: &Reduction) -> Three {
 pub fn _rotation_axis(moments: Three, momentum: Three) -> Three {
     let (i1, i2, i3) = moments;
     let (x, y, z) = momentum;
-    let largest = x.abs().max(y.abs()).max(z.abs());
+    let largest = larger(larger(x.abs(), y.abs()), z.abs());
     let largest = if largest > 0.0 { largest } else { 1.0 };
-    let least = i1.min(i2).min(i3);
+    let least = smaller(smaller(i1, i2), i3);
     let x = x / largest * (least / i1);
     let y = y / largest * (least / i2);
     let z = z / largest * (least / i3);

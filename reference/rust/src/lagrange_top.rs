@@ -356,7 +356,7 @@ pub fn complementary_phase(m: &Motion, time: Three) -> Seven {
     let f = u * side;
     let g = u_rest * side;
     let (e, e_factor) = both::exponent(f, g, upper, lower);
-    let distance = (0.5 - f).max(0.0);
+    let distance = larger(0.5 - f, 0.0);
     let (r, r_factor) = both::exponent(distance, (0.5 - distance - f) * periodic - g, upper, lower);
     let half = 0.5 * (count - 2.0 * (0.5 * count).floor());
     let within = u + u_rest;
@@ -471,9 +471,9 @@ pub fn _largest_root(b: f64, c: f64, d: f64) -> Pair {
     let third = b / 3.0;
     let p = c - b * third;
     let q = 2.0 * (third * third) * third - third * c + d;
-    let r = (-p / 3.0).max(0.0).sqrt();
+    let r = larger(-p / 3.0, 0.0).sqrt();
     let cosine = if r > 0.0 { -0.5 * q / (r * r * r) } else { 1.0 };
-    let x = cosine.max(0.0).min(1.0);
+    let x = smaller(larger(cosine, 0.0), 1.0);
     // cos φ is a root of 4 y³ − 3 y = x
     let y = BEGIN + x * (SLOPE + x * CURVE);
     let y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
@@ -775,7 +775,7 @@ pub fn _series(x: f64, y: f64) -> f64 {
 /// Return the largest distance from the mean over it.
 pub fn widest(x: f64, y: f64, z: f64) -> f64 {
     let mean = (x + y + z) / 3.0;
-    (mean - x).abs().max((mean - y).abs()).max((mean - z).abs()) / mean
+    larger(larger((mean - x).abs(), (mean - y).abs()), (mean - z).abs()) / mean
 }
 
 /// Return numbers of equal R_F, nearer to each other (DLMF §19.26(iii)).

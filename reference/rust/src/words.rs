@@ -39,3 +39,21 @@ pub fn nearest(x: f64) -> f64 {
         x
     }
 }
+
+/// Return the larger of two numbers, the second where they are not in order.
+pub fn larger(x: f64, y: f64) -> f64 {
+    if x > y {
+        x
+    } else {
+        y
+    }
+}
+
+/// Return the smaller of two numbers, the second where they are not in order.
+pub fn smaller(x: f64, y: f64) -> f64 {
+    if x < y {
+        x
+    } else {
+        y
+    }
+}

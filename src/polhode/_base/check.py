@@ -18,7 +18,8 @@ from polhode.errors import InvalidInput, shown
 
 MOST_SHOWN = 9
 """Numbers of an array up to which a message shows them all; of more it shows the first wrong one."""
-NO_NUMBERS = bool, np.bool_, str, bytes, np.datetime64  # though ``float`` makes some of them
+NO_NUMBERS = bool, np.bool_, str, bytes, np.datetime64, np.timedelta64  # though ``float`` makes some of them
+REAL_KINDS = "iufO"  # of NumPy's types
 _WORDS = ("no", "one", "two", "three", "four", "five", "six")
 Kind = TypeVar("Kind")
 _ARGUMENT = re.compile(r"[^\W\d][\w.\[\]…]*")
@@ -35,7 +36,7 @@ def subject(name: str) -> str:
 
 def refuse(name: str, rule: str, value: Any, remedy: str = "", error: type[InvalidInput] = InvalidInput) -> NoReturn:
     """Raise the sentence of all checks, about an argument or a phrase, what it must be, what it is and the remedy."""
-    _raise(name, rule, shown(value), remedy, error)
+    _raise(name, rule, shown(value.item() if isinstance(value, np.generic) else value), remedy, error)
 
 
 def number(
@@ -63,10 +64,12 @@ def number(
     Traceback (most recent call last):
     polhode.errors.InvalidInput: `rate` must be positive and finite [rad/s]; got -1.
     """
+    if is_traced(value):
+        _raise(name, "a known number, not one traced by JAX", "a traced one", remedy)
     x = _as_float(value)
     if isinstance(value, str | bytes):
-        remedy = remedy or "Functions take SI numbers; text with units is for specs."
-    elif not math.isfinite(x) or hasattr(value, "dtype"):
+        remedy = "Functions take SI numbers; text with units is for specs."
+    elif not isinstance(value, NO_NUMBERS) and (not math.isfinite(x) or hasattr(value, "dtype")):
         require_doubles(**{name: value})
     low = (above is None or x > above) and (least is None or x >= least)
     high = (below is None or x < below) and (most is None or x <= most)
@@ -168,6 +171,8 @@ def array(
     """
     if is_traced(value) and not traced:
         _raise(name, "known numbers, not traced by JAX", "traced ones", remedy)
+    if not is_traced(value) and _has_no_numbers(value):
+        refuse(name, (rule or _numbers(shape, above, least, ascending, not_all_zero)) + _in(unit), value, remedy)
     values = as_float64(namespace(value) if traced else np, value, name)
     rule = (rule or _numbers(shape, above, least, ascending, not_all_zero)) + _in(unit)
     if shape is not None and not _fits(values.shape, shape):
@@ -193,12 +198,22 @@ def _raise(name: str, rule: str, got: str, remedy: str, error: type[InvalidInput
 
 def _as_float(value: Any) -> float:
     """Return the double of one real number; of anything else NaN, which no rule lets through."""
-    if is_traced(value) or isinstance(value, NO_NUMBERS):
+    if isinstance(value, NO_NUMBERS):
         return math.nan
     try:
-        return math.nan if np.ndim(value) or np.iscomplexobj(value) else float(value)
+        return float(value) if np.ndim(value) == 0 and np.asarray(value).dtype.kind in REAL_KINDS else math.nan
     except (TypeError, ValueError, OverflowError):
         return math.nan
+
+
+def _has_no_numbers(value: Any) -> bool:
+    """Return whether truth values or complex numbers are among those of an array or of nested lists."""
+    if hasattr(value, "dtype"):
+        # whole arrays of complex numbers are refused with the words of ``as_float64``
+        return value.dtype == bool or (not np.ndim(value) and np.iscomplexobj(value))
+    if isinstance(value, list | tuple):
+        return any(map(_has_no_numbers, value))
+    return isinstance(value, bool | np.bool_ | complex)
 
 
 def _fits(got: Sequence[int], wanted: Sequence[int | str]) -> bool:
@@ -223,18 +238,26 @@ def _wrong(value: Any, known: np.ndarray, good: np.ndarray) -> str:
 
 def _bounds(above: float | None, least: float | None, below: float | None, most: float | None, infinite: bool) -> str:
     """Return the words of one number's bounds."""
-    low = f"above {above:g}" if above is not None else f"at least {least:g}" if least is not None else ""
-    high = f"below {below:g}" if below is not None else f"at most {most:g}" if most is not None else ""
+    least_, above_, most_, below_ = map(_shortly, (least, above, most, below))
+    low = f"above {above_}" if above_ else f"at least {least_}" if least_ else ""
+    high = f"below {below_}" if below_ else f"at most {most_}" if most_ else ""
     if low and high:
-        if above is not None and below is not None:
-            return f"between {above:g} and {below:g}"
-        return f"from {least:g} to {most:g}" if least is not None and most is not None else f"{low} and {high}"
+        if above_ and below_:
+            return f"between {above_} and {below_}"
+        return f"from {least_} to {most_}" if least_ and most_ else f"{low} and {high}"
     if above == 0:
         return "positive" if infinite else "positive and finite"
     if least == 0:
         return "a number that is not negative" if infinite else "finite and not negative"
     kind = "a number" if infinite else "a finite number"
     return f"{kind} {low or high}".rstrip()
+
+
+def _shortly(bound: float | None) -> str:
+    """Return a bound in as few digits as say it."""
+    if bound is None:
+        return ""
+    return f"{bound:g}" if float(f"{bound:g}") == bound else repr(float(bound))
 
 
 def _numbers(

@@ -60,19 +60,18 @@ def polynomial_casimirs(algebra: AbstractLieAlgebra, degree: int, read_as: str =
 
     Source: Abellanas & Martínez Alonso, J. Math. Phys. 16 (1975) 1580.
     """
-    is_degree = isinstance(degree, int) and degree > 0
-    check_degree(degree, math.comb(algebra.dim + degree - 1, degree) if is_degree else 0, algebra.dim)
+    degree = check.whole("degree", degree, 1)
+    check_monomials(degree, math.comb(algebra.dim + degree - 1, degree), algebra.dim)
     independent = invariant_polynomials(rational_brackets(algebra, read_as), degree)
     return [Polynomial(np.array(p.monoms(), int), list(map(as_fraction, p.coeffs()))) for p in independent]
 
 
-def check_degree(degree: int, count: int, dim: int) -> None:
-    """Refuse a degree that is not a whole number, or has too many monomials for exact linear algebra.
+def check_monomials(degree: int, count: int, dim: int) -> None:
+    """Refuse a degree that has too many monomials for exact linear algebra.
 
     Raises:
         InvalidInput: naming it.
     """
-    check.whole("degree", degree, 1)
     if count > LIMITS.max_monomials:
         raise InvalidInput(f"`degree` {degree} in {dim} variables has {count} monomials, more than "
                            f"{LIMITS.max_monomials}. {REMEDY}")

@@ -345,7 +345,7 @@ def _check(A: Array, g: Array, H: Array, dC: Array, ddC: Array, names: Sequence[
         )
     if not all(np.isfinite(x).all() for x in (A, g, H, dC, ddC)):
         raise InvalidInput("the matrices at the equilibrium must be finite; got NaN or an infinity.")
-    check.number("tolerance", tolerance, least=0, below=1, remedy="It is a relative error.")
+    tolerance = check.number("tolerance", tolerance, least=0, below=1, remedy="It is a relative error.")
 
 
 def _largest_real_part(mode: Array) -> Array:

@@ -125,7 +125,7 @@ def periodic_motion(
     """
     newton_steps = 30
     furthest = 0.3  # of the state's size and of the period: the longest of Newton's steps
-    check.number("period", period, "s", above=0)
+    period = check.number("period", period, "s", above=0)
     start, first, _ = check_start(system, state, (first, first + 1.5 * period))
     flow = TangentFlow(system, start, (first, first + 1.5 * period))
     z, T, best = flow.flat(start), float(period), math.inf

@@ -101,7 +101,8 @@ class OrbitalEquilibrium:
         """
         if self.pitch_rate is None:
             raise InvalidInput("this attitude has no libration in pitch: the body leaves it when rotated by a little.")
-        check.number("amplitude", amplitude, "rad", least=0, below=0.5 * math.pi, rule="from 0 to below π/2")
+        rule = "from 0 to below π/2"
+        amplitude = check.number("amplitude", amplitude, "rad", least=0, below=0.5 * math.pi, rule=rule)
         return 4.0 * float(complete_k(math.cos(amplitude) ** 2)) / self.pitch_rate
 
     def __str__(self) -> str:

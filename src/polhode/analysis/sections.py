@@ -96,7 +96,7 @@ def section(
     start, first, last = check_start(system, state, times)
     ends = np.array([first, last])
     check.one_of("direction", direction, DIRECTIONS)
-    check.whole("most", most, 1)
+    most = check.whole("most", most, 1)
     check_sizes(np.asarray(start)[None])
     _check_surface(surface, ends[0], start)
     check_events(system, ends[0], start)

@@ -61,8 +61,9 @@ def stability_threshold(
     (4.0, 'unstable', 'stable')
     """
     max_halvings = 200
-    check.number("high", high, above=check.number("low", low))
-    check.number("tolerance", tolerance, above=0, below=1)
+    low = check.number("low", low)
+    high = check.number("high", high, above=low)
+    tolerance = check.number("tolerance", tolerance, above=0, below=1)
     below, above = verdict(low), verdict(high)
     if below.verdict == above.verdict:
         raise InvalidInput(

@@ -47,7 +47,7 @@ def top_stability(top: HeavyTop, spin: float = 0.0) -> TopRests:
     'stable'
     """
     check.instance("top", top, HeavyTop, "a HeavyTop")
-    check.number("spin", spin, "rad/s")
+    spin = check.number("spin", spin, "rad/s")
     if float(top.mgl) == 0.0:
         raise InvalidInput("`top` has no weight: its centre of mass is its fixed point, and no position is upright.")
     points = (top.upright(spin), top.upright(spin, hanging=True))

@@ -59,9 +59,8 @@ def top_velocity(
     >>> top_velocity(top, top.leaning(math.pi / 3), spin_rate=5.0, precession_rate=2.0).round(12).tolist()
     [0.0, 1.732050807569, 6.0]
     """
-    rates = {"spin_rate": spin_rate, "precession_rate": precession_rate, "nutation_rate": nutation_rate}
-    for name, rate in rates.items():
-        check.number(name, rate, "rad/s")
+    named = {"spin_rate": spin_rate, "precession_rate": precession_rate, "nutation_rate": nutation_rate}
+    spin_rate, precession_rate, nutation_rate = (check.number(name, rate, "rad/s") for name, rate in named.items())
     q = rotation.normalize(np.asarray(attitude, dtype=float))
     axis, back = axis_in_space(top, q), rotation.conjugate(q)
     in_space = precession_rate * UP

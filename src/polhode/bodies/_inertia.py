@@ -91,7 +91,7 @@ def take_rounded(
     Raises:
         InvalidInput: where rounding to so many significant digits is not enough.
     """
-    check.whole("digits", digits, 1, 17)
+    digits = check.whole("digits", digits, 1, 17)
     near = nearest_physical(inertia)
     moved = float(np.linalg.norm(near - inertia))
     if moved <= ROUNDING * float(np.abs(inertia).max()):

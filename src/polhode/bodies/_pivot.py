@@ -61,7 +61,7 @@ def about_pivot(body: Body, pivot: Real[ArrayLike, "3"], gravity: float = STANDA
     if is_traced(gravity, *(pivot if isinstance(pivot, tuple | list) else (pivot,))):
         raise InvalidInput("`pivot` and `gravity` must be known numbers, not traced by JAX: the principal axes at the "
                            "pivot are decided on them. Give moments and mgl to LagrangeMotion instead.")
-    check.number("gravity", gravity, "m/s²", above=0)
+    gravity = check.number("gravity", gravity, "m/s²", above=0)
     # J_pivot = J + m (|d|² 1 − d dᵀ)
     moments, axes = principal_axes(body.about(pivot))
     arm = (body.center_of_mass - np.asarray(pivot, dtype=float)) @ axes

@@ -192,7 +192,7 @@ def _product(*factors: Any) -> Array:
 
 
 def _thickness(thickness: Any, most: float) -> float:
-    return check.number("thickness", thickness, "m", least=0, most=most, remedy="At most the wall fills the shape.")
+    return check.number("thickness", thickness, "m", least=0, most=most, remedy="There the wall fills the shape.")
 
 
 def _corners(outline: Any) -> Float64[Array, "n 2"]:
@@ -270,7 +270,7 @@ def positive(**named: Any) -> list[float]:
 def lengths(name: str, value: Any) -> Float64[Array, "3"]:
     """Return three lengths, each positive and finite."""
     array = check.array(name, value, (3,), "m", above=0)
-    positive(**{f"{name}[{k}]": x for k, x in enumerate(array)})
+    positive(**{f"{name}[{k}]": x for k, x in enumerate(array.tolist())})
     return array
 
 

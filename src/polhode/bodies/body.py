@@ -125,7 +125,7 @@ class Body:
         >>> print((water.principal_moments / 1.66053906892e-47).round(3), f"{water.inertial_defect:.3g}")
         [0.605 1.161 1.817] 8.55e-49
         """
-        constants = check.array("constants", (A, B, C), (3,), "Hz", above=0, remedy="Check signs.")
+        constants = check.array("the rotational constants", (A, B, C), (3,), "Hz", above=0, remedy="Check signs.")
         return cls(mass, (0.0, 0.0, 0.0), np.diag(MOMENT_TIMES_CONSTANT / constants), effective)
 
     @classmethod

@@ -82,7 +82,7 @@ class Surface:
         Source: Rossignac & Borrel, in *Modeling in Computer Graphics* (1993) 455.
         """
         finest = 1 << 20  # cells along an edge; their number still fits into 64 bits
-        check.whole("most", most, 12, what="triangles", remedy="Fewer show no shape.")
+        most = check.whole("most", most, 12, what="triangles", remedy="Fewer show no shape.")
         if len(self.faces) <= most:
             return self
         # fast-simplification's quadrics take a minute for a thin tube, and leave 50 % more or other shapes below 3 %

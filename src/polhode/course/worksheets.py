@@ -31,7 +31,7 @@ def worksheet(chapter: str, seed: int = 0, *, key: bool = False) -> str:
     >>> "teacher" in worksheet("two-surfaces", key=True)
     True
     """
-    check.whole("seed", seed, 0)
+    seed = check.whole("seed", seed, 0)
     data = read_chapter(chapter)
     title = f"{data.title}: {'teacher’s key' if key else 'worksheet'}"
     head = "" if key else '<p class="name"><span>Name <span class="blank"></span></span></p>'

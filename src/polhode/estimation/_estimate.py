@@ -57,7 +57,7 @@ class Estimate:
             >>> Estimate(("I1",), np.array([2.0]), np.array([[0.01]])).interval().round(3).tolist()
             [[1.804, 2.196]]
         """
-        check.number("confidence", confidence, above=0, below=1)
+        confidence = check.number("confidence", confidence, above=0, below=1)
         tail = 0.5 + 0.5 * confidence
         reach = norm.ppf(tail) if self.degrees_of_freedom is None else student.ppf(tail, self.degrees_of_freedom)
         return self.value[:, None] + reach * self.standard_error[:, None] * np.array([-1.0, 1.0])

@@ -79,7 +79,7 @@ def load_mesh(path: str | Path, unit: float | None = None, repair: bool = False)
         raise InvalidInput(f"{path}: `unit` is missing, a length in metres like 1e-3; of mesh files only 3MF and DAE "
                            "name theirs.")
     if unit is not None:
-        check.number("unit", unit, "m", above=0, remedy="Millimetres are 1e-3.")
+        unit = check.number("unit", unit, "m", above=0, remedy="Millimetres are 1e-3.")
     vertices, faces, unit = _load(path, read_file(path, "mesh", LARGEST_FILE), unit)
     if len(faces) == 0:
         raise FormatError(f"{path}: holds no triangles; it may be cut short. Export it again, as a surface mesh.")

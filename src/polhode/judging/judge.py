@@ -100,7 +100,7 @@ def judge(
     if not (isinstance(dt, int | float) and math.isfinite(dt) and 0.0 < dt * rate <= LIMITS.max_step_angle):
         most = LIMITS.max_step_angle
         raise InvalidInput(f"`dt` must be a step of {most} rad at most, here {most / rate:.4g} s; got {shown(dt)}.")
-    check.whole("steps", steps, LIMITS.min_steps, LIMITS.max_steps)
+    steps = check.whole("steps", steps, LIMITS.min_steps, LIMITS.max_steps)
     engine = SteppedEngine(step, tensor, convention)
     return JudgeReport(name, (judge_engine(engine, q / np.linalg.norm(q), L, float(dt), steps),))
 

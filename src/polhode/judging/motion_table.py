@@ -73,7 +73,7 @@ def reference_motions(
     >>> motions[0].name, motions[0].times.shape, motions[0].attitudes.shape
     ('flips, 10 deg to the first axis', (9,), (9, 4))
     """
-    check.number("up_to", up_to, "rad", least=0, infinite=True)
+    up_to = check.number("up_to", up_to, "rad", least=0, infinite=True)
     motions = _load_shipped()
     for name, wanted in (("family", family), ("kind", kind)):
         if wanted is not None:

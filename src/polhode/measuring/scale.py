@@ -44,9 +44,9 @@ def moments_from_one(
         [0.4, 1.6, 2.0]
     """
     joint = _joint(fit)
-    check.whole("axis", axis, 1, 3)
-    check.number("moment", moment, "kg m²", above=0)
-    check.number("standard_error", standard_error, "kg m²", least=0)
+    axis = check.whole("axis", axis, 1, 3)
+    moment = check.number("moment", moment, "kg m²", above=0)
+    standard_error = check.number("standard_error", standard_error, "kg m²", least=0)
     ratios = np.r_[joint.value[:2], 1.0]
     value = moment * ratios / ratios[axis - 1]
     # derivatives of moment · ratio_i/ratio_axis by the ratios and the moment
@@ -80,8 +80,8 @@ def moments_from_weight(
         InvalidInput: for degenerate fits, masses that are not positive, or a weight at the centre of mass.
     """
     joints = _joint(fit), _joint(with_weight)
-    check.number("mass", mass, "kg", above=0)
-    check.number("weight", weight, "kg", above=0)
+    mass = check.number("mass", mass, "kg", above=0)
+    weight = check.number("weight", weight, "kg", above=0)
     r = check.array("place", place, (3,), "m", not_all_zero=True)
     added = mass * weight / (mass + weight) * ((r @ r) * np.eye(3) - np.outer(r, r))
     values = np.concatenate([joint.value for joint in joints])

@@ -97,7 +97,7 @@ def distortion_terms(
     known = TERMS[reduction]
     for name in distortion:
         if name not in known:
-            rule = f"by names of constants of the {reduction.value} reduction, {', '.join(known)}"
+            rule = f"names of constants of the {reduction.value} reduction, {', '.join(known)}"
             check.refuse("distortion", rule, name)
     return [(check.number(f"distortion[{name}]", value, "Hz"), known[name]) for name, value in distortion.items()]
 

@@ -198,8 +198,8 @@ def spectrum_within(
     if low > high:
         ends = " and ".join(map(str, bounds.values()))
         raise InvalidInput(f"`lowest` must not be above `highest`; got {ends}.")
-    check.whole("most", most, 1, what="lines")
-    check.number("min_intensity", min_intensity, "nm² MHz", least=0)
+    most = check.whole("most", most, 1, what="lines")
+    min_intensity = check.number("min_intensity", min_intensity, "nm² MHz", least=0)
     moment = None if dipole is None else _dipole(dipole, "`dipole`")
     with warnings_as_notes(_place(molecule)) as notes:
         spec = _spec(molecule)

@@ -68,7 +68,7 @@ def sweep(
     """
     check.instance("spec", spec, (str, os.PathLike), "the path of a file")
     if workers is not None:
-        check.whole("workers", workers, 1)
+        workers = check.whole("workers", workers, 1)
     work = Sweep.of(read_plan(spec))
     path = Path(f"{Path(spec).stem}.zarr") if store is None else Path(store)
     count = work.usual_workers() if workers is None and scheduler is None else workers or available_cores()

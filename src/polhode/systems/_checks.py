@@ -33,7 +33,7 @@ def checked_number(
         InvalidInput: for anything else, or one out of range.
     """
     remedy = "Check its size and sign."
-    return jnp.asarray(check.number(name, value, unit, above=above, least=least, remedy=remedy))
+    return jnp.asarray(check.number(name, value, unit, above=above, least=least, remedy=remedy), float)  # not weakly
 
 
 def checked_numbers(

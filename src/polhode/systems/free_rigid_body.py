@@ -10,6 +10,7 @@ from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.so3 import SO3
+from polhode.systems._checks import as_floats
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
@@ -94,5 +95,5 @@ def checked_moments(moments: Real[ArrayLike, "3"]) -> Float64[Array, "3"]:
         InvalidInput: otherwise.
     """
     remedy = "A matrix makes a `Body.from_inertia`; take its `principal_moments`, or `RigidBody.from_body` of it."
-    is_tensor = getattr(moments, "shape", None) == (3, 3)
+    is_tensor = as_floats(moments).shape == (3, 3)
     return jnp.asarray(check.array("moments", moments, (3,), "kg m²", above=0, remedy=remedy if is_tensor else ""))

@@ -138,7 +138,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         """
         if float(self.mgl) == 0.0:
             raise InvalidInput("the top must have a centre of mass apart from the fixed point to lean; it has mgl = 0.")
-        check.number("angle", angle, "rad")
+        angle = check.number("angle", angle, "rad")
         axes = np.asarray(self.axes)
         upright = rotation.shortest_between(axes @ np.asarray(self.axis), (0.0, 0.0, 1.0))
         turn = rotation.multiply(np.array([*_half_turn(angle), 0.0, 0.0]), upright)

@@ -52,7 +52,7 @@ def check_system(
     >>> check_system(SpinOrbit(0.89, 0.1), states=[[0.3, 1.0], [1.0, -0.5]])
     """
     refuse_other_objects(system)
-    check.whole("seed", seed, 0, remedy="Give states by `states=`.")
+    seed = check.whole("seed", seed, 0, remedy="Give states by `states=`.")
     for batch in _draw_states(system, seed, size) if states is None else [_check_states(system, states)]:
         one = batch[0]
         check_function(f"`vector_field` of {type(system).__name__}", system.vector_field, jnp.asarray(TIME), one)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import cache, partial
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Any
 
 import jax
@@ -24,8 +24,10 @@ from polhode.types import Array
 if TYPE_CHECKING:
     from polhode._base.arrays.elementwise import Elementwise
 
+KEPT = 64  # functions whose operations are kept; what a motion's hold of memory goes with it
 
-@cache
+
+@lru_cache(maxsize=KEPT)
 def operation(function: Elementwise, compiled: bool) -> Operation:
     """Return the function as an operation of JAX, with the derivatives that it has.
 
@@ -50,7 +52,7 @@ def operation(function: Elementwise, compiled: bool) -> Operation:
     return _by_its_ways(function, evaluate, compiled)
 
 
-@cache
+@lru_cache(maxsize=KEPT)
 def _differential(function: Elementwise) -> Elementwise:
     """Return the function whose values are those of another and, last, the columns of its Jacobian."""
     jacobian = function.jacobian
@@ -66,7 +68,7 @@ def _differential(function: Elementwise) -> Elementwise:
                    order=function.order + 1, forward=None, back=None)  # fmt: skip
 
 
-@cache
+@lru_cache(maxsize=KEPT)
 def _changes(function: Elementwise, which: tuple[int, ...]) -> Any:
     def apply(columns: Array, *ways: Array) -> list[Array]:
         change: Any = 0.0

@@ -110,8 +110,7 @@ def fit_tumbling(
         ('short-axis', 1.023637)
     """
     moments = _check_moments(moments)
-    for name, value in (("precession", precession), ("rotation", rotation)):
-        check.number(name, value, above=0)
+    precession, rotation = check.positive(precession=precession, rotation=rotation)
     check.one_of("axis", axis, ("encircled", "long", "short"))
     sizes = _check_errors(errors)
     motions = []

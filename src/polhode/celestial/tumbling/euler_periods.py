@@ -61,8 +61,8 @@ def euler_chain(
     """
     # k_s = 3G (C − A)/(Ω² R⁵) with C − A = J2 M R²
     secular = 3.0 * GRAVITY * J2 / (ROTATION**2 * RADIUS**3)
-    check.number("ellipticity", ellipticity, above=0, below=0.5, remedy="The Earth's is 0.00327.")
-    check.number("mantle", mantle, above=0, most=1, remedy="It is a part of the whole, of the Earth 0.8866.")
+    ellipticity = check.number("ellipticity", ellipticity, above=0, below=0.5, remedy="The Earth's is 0.00327.")
+    mantle = check.number("mantle", mantle, above=0, most=1, remedy="It is a part of the whole, of the Earth 0.8866.")
     rule = f"a Love number from 0 to below {secular:.3f}, at which the figure would follow wholly"
     for name, k in (("elastic", elastic), ("oceans", oceans), ("anelastic", anelastic)):
         check.number(name, k, least=0, below=secular, rule=rule)

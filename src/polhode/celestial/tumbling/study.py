@@ -73,7 +73,9 @@ def tumble(
     if mode is not None:
         check.one_of("mode", mode, MODES)
     for name, angle, most in (("aspect", aspect, 180.0), ("phase", phase, 170.0)):
-        check.number(name, angle, "rad", least=0, most=np.radians(most) * (1 + 1e-15), rule=f"from 0 to {most:g}°")
+        radians = float(np.radians(most))
+        rule = f"from 0 to {radians:.4g}, {most:g}°,"
+        check.number(name, angle, "rad", least=0, most=radians * (1 + 1e-15), rule=rule)
     lists = {"moments": moments, "semi_axes": semi_axes}
     for name, some in lists.items():
         if some is not None and (isinstance(some, str) or np.ndim(some) == 0 or len(some) != 3):

@@ -73,10 +73,10 @@ def polar_excitation(
         >>> complex(still.psi[50].round(12))
         (2e-07+1e-06j)
     """
-    for name, value in (("period", period), ("quality_factor", quality_factor), ("step", step)):
-        remedy = "Leave it out for 10 d." if name == "step" else ""
-        check.number(name, value, above=0, infinite=name == "quality_factor", remedy=remedy)
-    check.number("noise", noise, "rad", least=0, remedy="It is a standard deviation, zero for none.")
+    period = check.number("period", period, above=0)
+    quality_factor = check.number("quality_factor", quality_factor, above=0, infinite=True)
+    step = check.number("step", step, above=0, remedy="Leave it out for 10 d.")
+    noise = check.number("noise", noise, "rad", least=0, remedy="It is a standard deviation, zero for none.")
     if step > 0.1 * period:
         raise InvalidInput(f"`step` must be a tenth of the period at most; got {shown(step)} s. Leave it out for 10 d.")
     raw = clean_pole(times, x, y)

@@ -40,7 +40,7 @@ def wobble(
     days = {"start": start, "end": end}
     if wrong := [name for name, day in days.items() if day is not None and not isinstance(day, str)]:
         raise InvalidInput(f'`{wrong[0]}` must be a day like "1976-01-01"; got {shown(days[wrong[0]])}.')
-    check.number("window", window, "years", above=0, infinite=True)
+    window = check.number("window", window, "years", above=0, infinite=True)
     source = series if series is None or isinstance(series, PoleSeries) else as_path("series", series)
     return with_inputs(lambda: wobble_report(source, start, end, window))
 

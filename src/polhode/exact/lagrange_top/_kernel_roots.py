@@ -78,9 +78,7 @@ def _points(w: Any, count: int) -> None:
             square(pair(w, at.P + i)), square(pair(w, at.C + i)), pair(w, at.C_PLUS + i), pair(w, at.F + i),
             pair(w, at.A + i),
         )
-        put_record(w, at.LOWER + i, (
-            *p.from_lower, *p.from_upper, *p.d, *p.s1, *p.s2, *p.t1, *p.t2, *p.A, *p.B, *p.Y, *p.Z_minus, *p.Z_plus,
-        ))
+        put_record(w, at.POINTS + i, p)
 
 
 @called

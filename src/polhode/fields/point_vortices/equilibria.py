@@ -123,8 +123,8 @@ def ring_exponents(count: int, colatitude: float, strength: float = 1.0) -> Comp
     >>> round(float(ring_exponents(7, 0.3).real.max()), 10)
     2.2849105472
     """
-    check.whole("count", count, 2, what="vortices")
-    check.number("colatitude", colatitude, "rad", above=0, below=math.pi, rule="between 0 and π")
+    count = check.whole("count", count, 2, what="vortices")
+    colatitude = check.number("colatitude", colatitude, "rad", above=0, below=math.pi, rule="between 0 and π")
     sine, cosine = math.sin(colatitude), math.cos(colatitude)
     return _exponents(count, strength / (4.0 * math.pi * sine * sine), (count - 1) * (1.0 + cosine * cosine))
 
@@ -148,8 +148,8 @@ def polygon_exponents(count: int, radius: float, strength: float = 1.0) -> Compl
     >>> round(float(polygon_exponents(8, 1.3).real.max()), 10)
     0.266365774
     """
-    check.whole("count", count, 2, what="vortices")
-    check.number("radius", radius, "m", above=0)
+    count = check.whole("count", count, 2, what="vortices")
+    radius = check.number("radius", radius, "m", above=0)
     return _exponents(count, strength / (4.0 * math.pi * radius * radius), 2.0 * (count - 1))
 
 

@@ -56,8 +56,7 @@ def hysteresis_loop(
     """
     if not system.is_damped or system.field is None:
         raise InvalidInput("`system` must have damping, to come to rest, and a field that is not zero, to be replaced.")
-    path = np.asarray(fields, float)
-    check.array("fields", path, ("F", 3))
+    path = check.array("fields", fields, ("F", 3))
 
     def rest(now: Array, field: Array) -> tuple[Array, tuple[Array, Array]]:
         there = eqx.tree_at(lambda s: s.field, system, field)

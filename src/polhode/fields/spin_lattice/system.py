@@ -97,8 +97,8 @@ class SpinLattice(AbstractLiePoissonSystem):
             np.broadcast_to(numbers, self.algebra.element_shape)
         except ValueError:
             raise InvalidInput(f"`field` must fit {self.algebra.element_shape}; got {numbers.shape}.") from None
-        check.number("dipolar", dipolar)
-        check.number("damping", damping, least=0)
+        dipolar = check.number("dipolar", dipolar)
+        damping = check.number("damping", damping, least=0)
         if dipolar and any(lattice.periodic):
             raise InvalidInput("`dipolar` needs open boundaries; give the lattice periodic=False.")
         # without a field there is none to turn about, which saves a turn of every spin in each step

@@ -56,8 +56,7 @@ class VlasovPoisson(AbstractLiePoissonSystem):
 
     @known_numbers_only
     def __init__(self, length: float, modes: int, particles: int) -> None:
-        for name, value in (("modes", modes), ("particles", particles)):
-            check.whole(name, value, 1)
+        modes, particles = check.whole("modes", modes, 1), check.whole("particles", particles, 1)
         self.length, self.modes = checked_number("length", length, above=0.0), modes
         self.algebra = Power(Heisenberg(1), particles)
 
@@ -185,9 +184,9 @@ def quiet_start(
     count = system.algebra.copies
     if not isinstance(beams, int) or beams < 1 or count % beams:
         raise InvalidInput(f"`beams` must divide the system's {count} particles; got {shown(beams)}.")
-    check.number("amplitude", amplitude, above=-1, below=1)
-    check.whole("mode", mode, 1)
-    check.number("fastest", fastest, above=0)
+    amplitude = check.number("amplitude", amplitude, above=-1, below=1)
+    mode = check.whole("mode", mode, 1)
+    fastest = check.number("fastest", fastest, above=0)
     speeds = fastest * (2.0 * (np.arange(beams) + 0.5) / beams - 1.0)
     shares = np.asarray(distribution(speeds), dtype=float)
     if shares.shape != speeds.shape or not np.isfinite(shares).all() or (shares < 0.0).any() or not shares.any():

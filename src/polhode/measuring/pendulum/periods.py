@@ -127,7 +127,8 @@ def quarter_period(amplitude: float) -> float:
 
 
 def _check_amplitude(amplitude: float) -> None:
-    check.number("amplitude", amplitude, "rad", least=0, below=MAX_AMPLITUDE, rule="from 0 to below 179 deg")
+    rule = f"from 0 to below {MAX_AMPLITUDE:.4g}, 179°,"
+    check.number("amplitude", amplitude, "rad", least=0, below=MAX_AMPLITUDE, rule=rule)
 
 
 def _filament_integrand(

@@ -107,7 +107,7 @@ def _fit_throws(paths: Sequence[Path], options: FitOptions, progress: Progress |
     elif isinstance(clip, str):
         clip = quantity("`clip`", clip, "rad/s")
     else:
-        check.number("clip", clip, "rad/s", above=0, infinite=True)
+        clip = check.number("clip", clip, "rad/s", above=0, infinite=True)
     flights = _flights(options.windows, names, logs, clip)
 
     def fit(some: Sequence[ReadLog], windows: Sequence[Sequence[Window]] | None, limit: float | None) -> ThrowFit:

@@ -220,11 +220,11 @@ def fit_throw(
         raise InvalidInput(f"`logs` must be a GyroLog or a list of them; got {shown(logs)}. Read files with "
                            "`polhode.measuring.read_gyro_log`, or make one by `clean_log`.")
     for name, value in (("drag", drag), ("gain", gain), ("rotor", rotor)):
-        if value not in (True, False, "auto"):
+        if not (value is True or value is False or (isinstance(value, str) and value == "auto")):
             check.refuse(name, 'True, False or "auto"', value)
-    check.number("gain_spread", gain_spread, above=0, remedy="0.01 is usual.")
+    gain_spread = check.number("gain_spread", gain_spread, above=0, remedy="0.01 is usual.")
     if clip is not None:
-        check.number("clip", clip, "rad/s", above=0, infinite=True, remedy="Infinity is no limit.")
+        clip = check.number("clip", clip, "rad/s", above=0, infinite=True, remedy="Infinity is no limit.")
     level = saturation(every) if clip is None else float(clip) if clip < math.inf else None
     flights = _choose_windows(every, windows, level)
     cut = [(k, window, *_cut(every[k], window, level)) for k, per_log in enumerate(flights) for window in per_log]

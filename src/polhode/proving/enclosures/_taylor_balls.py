@@ -198,7 +198,7 @@ def _combine(node: Node, z: list[Ball]) -> Ball:
     return total
 
 
-def eccentric_anomaly(mean_anomaly: Ball, eccentricity: float) -> Ball:
+def eccentric_anomaly(mean_anomaly: Ball, eccentricity: Ball) -> Ball:
     """Return a ball with E of M = E − e sin E for each M in a ball, by Newton's method; infinite if none is proved.
 
     Source: Moore, *Methods and Applications of Interval Analysis*, §5.2: a ball that Newton's step maps into itself

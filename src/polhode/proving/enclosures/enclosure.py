@@ -429,7 +429,7 @@ def _check_arguments(
     gaps = np.sign(np.diff(values)) if values.ndim == 1 else np.zeros(1)
     if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all() or not (gaps * gaps[:1] > 0).all():
         raise InvalidInput(f"`times` must be at least two finite times [s] in one direction; got {shown(times)}.")
-    check.number("radius", radius, above=0, below=1)
+    radius = check.number("radius", radius, above=0, below=1)
     jumps = np.ravel(np.asarray(system.jumps, float))
     low, high = sorted((values[0], values[-1]))
     if ((jumps > low) & (jumps < high)).any():

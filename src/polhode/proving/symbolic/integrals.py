@@ -12,11 +12,12 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+from polhode._base import check
 from polhode._base.rational._polynomials import context, poisson_field, poisson_tensor, rate
 from polhode._base.rational._sparse import SparseRow, choose_independent, null_space, rows_of, whole_multiple
 from polhode._base.rational._terms import exponents_of, multiply_together
 from polhode._base.rational.numbers import EXACT
-from polhode.algebra.casimirs import check_degree
+from polhode.algebra.casimirs import check_monomials
 from polhode.errors import InvalidInput
 from polhode.proving.symbolic._gate import sympy
 from polhode.proving.symbolic._polynomials import symbolic_terms, to_expression, to_rational
@@ -77,7 +78,8 @@ def polynomial_integrals(
     system = as_symbolic(system, read_as)
     bracket, x = system.bracket, system.bracket.coordinates
     dim = bracket.dim
-    check_degree(degree, math.comb(dim + degree, degree) - 1 if isinstance(degree, int) and degree > 0 else 0, dim)
+    degree = check.whole("degree", degree, 1)
+    check_monomials(degree, math.comb(dim + degree, degree) - 1, dim)
     parameters = sorted(system.hamiltonian.free_symbols - set(x), key=str)
     bracket.rational_brackets()  # refuses symbols
     if parameters and math.comb(dim + degree, degree) > LIMITS.max_symbolic_monomials:

@@ -238,4 +238,4 @@ def slow_push(
 
 
 def _positive(name: str, value: float, unit: str) -> Array:
-    return jnp.asarray(check.number(name, value, unit, above=0, remedy="Leave the law out where it is zero."))
+    return jnp.asarray(check.number(name, value, unit, above=0, remedy="Leave the law out where it is zero."), float)

@@ -398,8 +398,8 @@ def _distances(spans: Array, fitted: slice, singularity: Singularity) -> Array:
 def _check_start(disk: EulerDisk, state: Real[ArrayLike, "8"], decades: float, samples_per_decade: int) -> Array:
     if not isinstance(disk, EulerDisk) or not disk.dissipation:
         raise InvalidInput("`disk` must be an EulerDisk with `dissipation`: without it the disk rolls for ever.")
-    check.number("decades", decades, above=0)
-    check.whole("samples_per_decade", samples_per_decade, 2)
+    decades = check.number("decades", decades, above=0)
+    samples_per_decade = check.whole("samples_per_decade", samples_per_decade, 2)
     start = disk.check_state(state)
     if jnp.ndim(start) != 1:
         raise InvalidInput(f"`state` must be one state (8,); got shape {jnp.shape(start)}.")

@@ -100,7 +100,7 @@ def rolling_path(
         InvalidInput: for a span that is not positive and finite.
         NotConverged: where no step is short enough.
     """
-    check.number("span", span, "s", above=0)
+    span = check.number("span", span, "s", above=0)
     piece = FALL_SAMPLES - 1
     step = span / max(samples - 1, piece)
     ticks, times, states = step * np.arange(FALL_SAMPLES), [np.array([since])], [np.asarray(state)[None]]

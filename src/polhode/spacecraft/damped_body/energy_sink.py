@@ -197,6 +197,6 @@ def _losses(I: Array, squares: Array) -> Float64[np.ndarray, "..."]:  # noqa: E7
 def _check_arguments(moments: ArrayLike, momentum: ArrayLike, rate: float, angle: float) -> tuple[Array, Array]:
     I = check.array("moments", moments, (3,), "kg m²", above=0, ascending=True)  # noqa: E741
     L = check.array("momentum", momentum, (3,), "kg m²/s")
-    check.number("rate", rate, "s/(kg m²)", above=0)
-    check.number("angle", angle, "rad", above=0, below=0.5 * math.pi, rule="between 0 and π/2")
+    rate = check.number("rate", rate, "s/(kg m²)", above=0)
+    angle = check.number("angle", angle, "rad", above=0, below=0.5 * math.pi, rule="between 0 and π/2")
     return I, L

@@ -96,5 +96,5 @@ def slosh_frequency(spin: float, pivot: float, length: float) -> float:
     Source: Abramson, *The Dynamic Behavior of Liquids in Moving Containers*, NASA SP-106, ch. 6.
     """
     check.positive(spin=abs(spin), length=length)
-    check.number("pivot", pivot, "m", least=0)
+    pivot = check.number("pivot", pivot, "m", least=0)
     return abs(spin) * math.sqrt((pivot + length) / length)
