@@ -161,7 +161,7 @@ def as_floats(value: Any) -> np.ndarray:
     """Return an array; of a value that is none of numbers, one that no check lets through."""
     try:
         return np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return np.full((1, 1, 1, 1), math.nan)
 
 
