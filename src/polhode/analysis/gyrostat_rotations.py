@@ -82,7 +82,7 @@ def steady_rotations(gyrostat: Gyrostat, momentum_norm: float) -> list[SteadyRot
     >>> [rotation.nutation and round(rotation.nutation, 6) for rotation in rotations[::2]]
     [0.866025, None, 1.145644]
     """
-    check.instance("gyrostat", gyrostat, Gyrostat, "a Gyrostat", "Make one from moments and a rotor.")
+    check.instance("`gyrostat`", gyrostat, Gyrostat, "a Gyrostat", "Make one from moments and a rotor.")
     norm = check.number("momentum_norm", momentum_norm, "kg m²/s", least=0)
     if not norm:
         return []
