@@ -8,8 +8,8 @@ must not import it before one of its arrays has come import this file where they
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Any, Literal
 
 import jax
 import jax.numpy as jnp
@@ -215,7 +215,8 @@ def _smooth(results: Any) -> list[Array]:
 # ---------------------------------------------------------------------- derivatives as linear maps
 
 
-class _LinearMap(NamedTuple):
+@dataclass(frozen=True, eq=False)  # not a tuple: JAX 0.9 keeps weak references to what it binds
+class _LinearMap:
     """A map that is linear in the operands behind the first ones, which say where.
 
     Attributes:
@@ -275,7 +276,7 @@ def _transpose(weights: Any, *args: Any, linear: _LinearMap) -> list[Any]:
             f"`{linear.name}` loops as often as its numbers ask, and has forward derivatives only; got a reverse-mode "
             "one (jax.grad, jax.vjp, jax.jacrev). Take jax.jvp or jax.jacfwd."
         )
-    back = linear._replace(forward=linear.back, back=linear.forward, kinds=linear.kinds[::-1])
+    back = replace(linear, forward=linear.back, back=linear.forward, kinds=linear.kinds[::-1])
     cotangents = back(*args[: linear.width], *(ad.instantiate_zeros(weight) for weight in weights))
     own = [x if ad.is_undefined_primal(way) else None for x, way in zip(cotangents, args[linear.width :], strict=True)]
     return [None] * linear.width + own
@@ -298,7 +299,7 @@ def _batch(args: Any, axes: Any, *, linear: _LinearMap) -> tuple[list[Array], li
     ]
     ahead, behind = (tuple(((size, *shape), dtype) for shape, dtype in kinds) for kinds in linear.kinds)
     transpose = linear.back and each(linear.back)
-    copies = linear._replace(forward=each(linear.forward), back=transpose, kinds=(ahead, behind))
+    copies = replace(linear, forward=each(linear.forward), back=transpose, kinds=(ahead, behind))
     results = copies(*args[:count], *ways)
     return results, [0] * len(results)
 
