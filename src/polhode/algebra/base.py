@@ -104,7 +104,13 @@ class AbstractLieAlgebra(HashableModule):
         return (0, 1, 2) if self.body_parts else ()
 
     def of_rotations(self, vector: Double[Array, "..."]) -> Float64[Array, "... 3"]:
-        """Return the components ``rotations`` of an element, or of a point of the dual."""
+        """Return the components ``rotations`` of an element, or of a point of the dual.
+
+        Raises:
+            InvalidInput: for an algebra without.
+        """
+        if not self.rotations:
+            raise InvalidInput(f"{self.name} has no so(3) that turns a body. Name its components by `rotations=`.")
         return vector[..., self.rotations[0] : self.rotations[2] + 1]
 
     @property
