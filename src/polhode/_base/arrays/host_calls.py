@@ -24,7 +24,7 @@ from polhode.types import Array
 if TYPE_CHECKING:
     from polhode._base.arrays.elementwise import Elementwise
 
-KEPT = 64  # functions whose operations are kept; what a motion's hold of memory goes with it
+KEPT = 64  # functions of which operations are kept: each may hold the arrays of a motion
 
 
 @lru_cache(maxsize=KEPT)
