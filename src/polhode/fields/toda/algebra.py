@@ -57,7 +57,9 @@ class Bidiagonal(AbstractLieAlgebra):
         return jnp.sum(jnp.asarray(mu)[..., : self.n], axis=-1, keepdims=True)
 
     def rate(self, x: Vector) -> Float64[Array, "*batch"]:
-        return jnp.max(jnp.abs(jnp.diff(jnp.asarray(x)[..., : self.n])), axis=-1)  # eigenvalues of ad_x
+        sizes = jnp.abs(jnp.diff(jnp.asarray(x)[..., : self.n]))  # eigenvalues of ad_x
+        # the derivative of `max` asks which entry equals it, of which XLA may compute the last bit anew: then none does
+        return jnp.take_along_axis(sizes, jnp.argmax(sizes, axis=-1, keepdims=True), axis=-1)[..., 0]
 
     def exp_change(self, x: Operand, mu: Operand) -> Vector:
         # a grows at the rate β_{i+1} − β_i, and b receives the integral of aα
