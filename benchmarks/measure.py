@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from first_motion import First
 
 
 class Row(NamedTuple):
@@ -26,6 +27,7 @@ class Row(NamedTuple):
         ratio: of the peer's time to ours, the median of several turns; above 1 we are quicker. None if not measured.
         spread: the smallest and largest of these ratios.
         note: why something is missing, or what else must be known.
+        first: CPU seconds of fresh processes, in columns of their own.
     """
 
     work: str
@@ -35,13 +37,14 @@ class Row(NamedTuple):
     ratio: float | None = None
     spread: tuple[float, float] | None = None
     note: str = ""
+    first: First | None = None
 
 
 def seconds(call: Callable[[], Any]) -> float:
-    """Return the time of a call [s]."""
-    start = time.perf_counter()
+    """Return the CPU time of a call [s], in all threads of this process."""
+    start = time.process_time()
     call()
-    return time.perf_counter() - start
+    return time.process_time() - start
 
 
 def median(call: Callable[[], Any], repeats: int) -> float:

@@ -51,12 +51,16 @@ def main() -> None:
 def _table(measure: Any, quick: bool) -> Iterator[str]:
     """Yield the rows of a measure; its pictures, if it has any, come below."""
     rows = list(measure.rows(quick))
-    yield "| work | peer | our error | the peer's | peer's time / ours | range | |"
-    yield "|---|---|---|---|---|---|---|"
+    heads = ["work", "peer", "our error", "the peer's", "peer's time / ours", "range", ""]
+    if any(row.first for row in rows):
+        heads += ["first process, CPU s", "the peer's", "set-up, CPU s", "the peer's"]
+    yield f"| {' | '.join(heads)} |"
+    yield "|---" * len(heads) + "|"
     for row in rows:
         spread = "" if row.spread is None else f"{_short(row.spread[0])} to {_short(row.spread[1])}"
-        cells = (row.work, row.peer, _error(row.ours), _error(row.theirs), _short(row.ratio), spread, row.note)
-        yield f"| {' | '.join(cells)} |"
+        cells = [row.work, row.peer, _error(row.ours), _error(row.theirs), _short(row.ratio), spread, row.note]
+        cells += [f"{x:.2f}" for x in row.first or ()]
+        yield f"| {' | '.join(cells + [''] * (len(heads) - len(cells)))} |"
     if hasattr(measure, "draw") and not quick:
         for path in measure.draw(HOME):
             yield f"\n![{path.stem.replace('_', ' ')}]({path.name})"
@@ -74,7 +78,7 @@ HEAD = """\
 # Results of the benchmarks
 
 Written by `python benchmarks/run.py`: one process, one core, ours and the peer by turns. Ratios are medians of the
-peer's time over ours, above 1 where we are quicker, with their range. Errors of attitudes are angles in rad against
+peer's CPU time over ours, above 1 where we are quicker, with their range. Errors of attitudes are angles in rad against
 states that are exact to 17 digits; others are the largest of all components.
 
 {when}, {processor}, {system}, Python {python}; {versions}.

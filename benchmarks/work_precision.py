@@ -20,7 +20,7 @@ import jax
 import jax.numpy as jnp
 import matplotlib.pyplot as plt
 import numpy as np
-from measures.taylor_series import heyoka_equations
+from heyoka_peer import heyoka_equations
 from scipy.integrate import solve_ivp
 
 import polhode as ph
@@ -116,7 +116,7 @@ def by_series(system, start: np.ndarray, exact: np.ndarray) -> dict[str, np.ndar
     import heyoka
 
     rows, times = {"Taylor": [], "heyoka": []}, np.array([0.0, SPAN])
-    equations = heyoka_equations(heyoka, system, start)
+    equations = heyoka_equations(system, start)
     for tolerance in (*TOLERANCES, 1e-15, 1e-17):
         precision = choose_precision(tolerance)
         run = lambda by=precision: run_copies(system, start[None], times, by)  # noqa: E731
