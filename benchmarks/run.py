@@ -84,7 +84,7 @@ states that are exact to 17 digits; others are the largest of all components.
 {when}, {processor}, {system}, Python {python}; {versions}.
 
 What first calls cost is measured by `first_calls.py`, error against work of all integrators by `work_precision.py`, a
-GPU by `gpu.py`."""
+GPU by `gpu.py`, a sweep on a cluster by `scale.py`."""
 
 
 def _head() -> Iterable[str]:

@@ -10,7 +10,7 @@ from polhode.kinds.reading import read_spec
 from polhode.spec.keys import Number, number_at, with_value
 from polhode.spec.models import SystemTable
 from polhode.sweeps.evaluation import Evaluator
-from polhode.sweeps.plan import read_plan
+from polhode.sweeps.plan import LIMITS, choose_chunk, read_plan
 from polhode.sweeps.running import Sweep
 
 HEAD = '[body]\nmoments = ["1 kg*m^2", "2 kg*m^2", "2.5 kg*m^2"]\n[spin]\nabout = 2\nrate = "1 rpm"\n'
@@ -225,3 +225,16 @@ def test_progress_is_told_in_lines_where_nobody_watches(monkeypatch, capsys):
     lines.add(600)
     told = capsys.readouterr().err.splitlines()
     assert len(told) == 1 and told[0].startswith("400 of 1,000 samples, ") and told[0].endswith(" left")
+
+
+@pytest.mark.parametrize("at_once", [True, False])
+def test_chunks_double_where_they_would_be_too_many(at_once):
+    least, most = (65536, 2**20) if at_once else (64, 1024)
+    full = least * LIMITS.many_chunks
+    assert choose_chunk(12, at_once) == 12
+    assert choose_chunk(full, at_once) == least and choose_chunk(full + 1, at_once) == 2 * least
+    for samples in (10**5, 10**7, full + 1, 7 * full, 10**9):
+        chunk = choose_chunk(samples, at_once)
+        assert chunk == most or samples / chunk <= LIMITS.many_chunks
+        assert chunk == least or samples / (chunk / 2) > LIMITS.many_chunks
+    assert choose_chunk(10**10, at_once) == most

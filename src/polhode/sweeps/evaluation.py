@@ -19,7 +19,7 @@ from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table, collect_values, plain
 from polhode.spec.keys import is_place, with_value, write_quantity
 from polhode.sweeps.bodies import vary_body
-from polhode.sweeps.plan import STATES, Plan
+from polhode.sweeps.plan import STATES, Plan, choose_chunk
 
 STATUS = "sample_status"  # the array of how each sample ended; reports have a "status" too
 YES, NO = "yes", "no"
@@ -175,7 +175,8 @@ class Evaluator:
     @property
     def chunk_size(self) -> int:
         """How many samples are computed together."""
-        return min(self.plan.chunk or (65536 if self.at_once else 64), self.plan.design.count)
+        count = self.plan.design.count
+        return min(self.plan.chunk or choose_chunk(count, self.at_once), count)
 
     def chunk(self, low: int, high: int) -> Chunk:
         """Return the samples low, …, high − 1."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any, Literal, NamedTuple
@@ -34,13 +35,32 @@ class PlanThresholds(NamedTuple):
     Attributes:
         max_samples: of a sweep; more take years.
         max_chunk: samples of a chunk, whose arrays are in memory together.
+        many_chunks: of a sweep; beyond that chunks double, as each has a file for each array.
+        chunk_at_once: samples of a chunk that is computed at once.
+        largest_at_once: samples of a doubled chunk: some seconds of work, and 8 MB an array.
+        chunk_of_reports: samples of a chunk of reports.
+        largest_of_reports: samples of a doubled one: what is lost when a sweep is stopped takes minutes again.
     """
 
     max_samples: int = 10**10
     max_chunk: int = 10**7
+    many_chunks: int = 1024
+    chunk_at_once: int = 2**16
+    largest_at_once: int = 2**20
+    chunk_of_reports: int = 2**6
+    largest_of_reports: int = 2**10
 
 
 LIMITS = PlanThresholds()
+
+
+def choose_chunk(samples: int, at_once: bool) -> int:
+    """Return how many of a sweep's samples make a chunk, where the spec does not say it."""
+    least, largest = LIMITS.chunk_of_reports, LIMITS.largest_of_reports
+    if at_once:
+        least, largest = LIMITS.chunk_at_once, LIMITS.largest_at_once
+    wanted = 2 ** math.ceil(math.log2(samples / LIMITS.many_chunks))
+    return min(max(least, min(wanted, largest)), samples)
 
 
 class SweepTable(Strict):
