@@ -145,7 +145,7 @@ def main() -> None:
     given.add_argument("tops", type=int, nargs="?", default=10**6)
     given.add_argument("--check", action="store_true", help="compare with a sweep that is not interrupted")
     options = given.parse_args()
-    heads = "sweep | samples | chunks | CPU s of workers | s | samples per CPU s | files | GB | MB of a worker | checksum"
+    heads = "sweep | samples | chunks | CPU s of workers | s | samples per CPU s | files | GB | MB each | checksum"
     print(f"| {heads} |\n{'|---' * (heads.count('|') + 1)}|")
     for name, text, samples in (("free bodies", BODY, options.bodies), ("Lagrange tops", TOP, options.tops)):
         if samples:
