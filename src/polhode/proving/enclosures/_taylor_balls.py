@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
@@ -25,11 +25,12 @@ from polhode.taylor.jaxprs import numbers_in, write_jaxpr
 from polhode.taylor.machine import TRACING, Form, tape_value
 from polhode.taylor.operations import ALONG, COMPANIONS, Node, Operation
 from polhode.taylor.program import find_needed
-from polhode.taylor.recurrences import RECURRENCES, Words
+from polhode.taylor.recurrences import RECURRENCES, Recurrence, Words
 from polhode.taylor.tracing import evaluate, keep_numbers
 from polhode.types import Array, Float64
 
 Ball = Any  # of python-flint, real or complex
+Step = tuple[int, Node, Recurrence | None, int]  # place, recurrence of a function, and how many nodes its results are
 OF_JAX = frozenset({math.log10(math.e), 1.0 / math.log(10.0)})  # 1/ln 10 as ``jnp.log10`` rounds it
 
 
@@ -68,8 +69,8 @@ class BallSystem:
         self._slopes = [x for row in slopes for x in row[: self.size]]
         self._by_parameters = [row[self.size :] for row in slopes]
         self._still = self._that_do_not_move()
-        self._of_rates, self._of_slopes = find_needed(self._tape, self._rates), find_needed(self._tape, self._slopes)
-        self._of_parameters = find_needed(self._tape, [x for row in self._by_parameters for x in row])
+        self._of_rates, self._of_slopes = self._steps_to(self._rates), self._steps_to(self._slopes)
+        self._of_parameters = self._steps_to([x for row in self._by_parameters for x in row])
 
     def _trace(
         self, system_of: Callable[[Any], AbstractSystem], parameters: Array
@@ -100,6 +101,16 @@ class BallSystem:
             still.append(all(still[k] for k in node.arguments))
         return still
 
+    def _steps_to(self, outputs: list[Expression]) -> list[Step]:
+        """Return the nodes that outputs are made of, in order, those with their companions as one."""
+        steps: list[Step] = []
+        for place in find_needed(self._tape, outputs):
+            node = self._tape.nodes[place - self._tape.size]
+            if node.operation not in ALONG:
+                count = 1 + len(COMPANIONS.get(node.operation, ()))
+                steps.append((place, node, RECURRENCES.get(node.operation), count))
+        return steps
+
     def rates(self, y: list[Ball], parameters: list[Ball]) -> list[Ball]:
         """Return the rates of change at a point, or at all points of a box."""
         z = self._nodes(y, parameters, self._of_rates)
@@ -120,28 +131,20 @@ class BallSystem:
             bounds.append(sum(parts, abs(z[0]) * 0))
         return bounds
 
-    def _nodes(self, y: list[Ball], parameters: list[Ball], places: list[int]) -> list[Ball]:
+    def _nodes(self, y: list[Ball], parameters: list[Ball], steps: list[Step]) -> list[Ball]:
         z = [*y, *parameters, *[None] * len(self._tape.nodes)]
-        for place in places:
-            node = self._tape.nodes[place - self._tape.size]
-            if node.operation in RECURRENCES:
-                count = _count(node)
-                z[place : place + count] = _values(node, z)[:count]
-            elif node.operation not in ALONG:
+        for place, node, recurrence, count in steps:
+            if recurrence is None:
                 z[place] = _combine(node, z)
+            else:
+                z[place : place + count] = _values(recurrence, node, z)[:count]
         return z
 
     def coefficients(self, y: list[Ball], parameters: list[Ball], order: int) -> list[list[Ball]]:
         """Return the Taylor coefficients (n, order + 1) of the motion from a point."""
         first = self._nodes(y, parameters, self._of_rates)
         z: list[list[Ball]] = [[x] for x in first]
-        moving = [(place, self._tape.nodes[place - self._tape.size]) for place in self._of_rates
-                  if not self._still[place]]
-        own = {}
-        for place, node in moving:
-            if node.operation in RECURRENCES:
-                count = _count(node)
-                own[place] = z[place : place + count] + [[x] for x in _values(node, first)[count:]]
+        moving = [self._series(step, z, first) for step in self._of_rates if not self._still[step[0]]]
         for k in range(1, order + 1):
             for i in range(self.size):
                 x = self._rates[i]
@@ -151,17 +154,32 @@ class BallSystem:
                     if k == 1 or not self._still[place]:
                         total = z[place][k - 1] * factor + total
                 z[i].append(total / k if total != 0 or k == 1 else z[i][0] * 0)
-            for place, node in moving:
-                if node.operation in RECURRENCES:
-                    x = z[node.arguments[0]]
-                    results = RECURRENCES[node.operation].coefficients(
-                        BALLS, k, x, own[place], type(x[0])(node.number)
-                    )
-                    for series, value in zip(own[place], results, strict=False):
-                        series.append(value)
-                elif node.operation not in ALONG:
-                    z[place].append(_combination(node, z, k, self._still))
+            for node, recurrence, x, own, number in moving:
+                if recurrence is None:
+                    own[0].append(_combination(node, z, k, self._still))
+                    continue
+                for series, value in zip(own, recurrence.coefficients(BALLS, k, x, own, number), strict=False):
+                    series.append(value)
         return z[: self.size]
+
+    def _series(self, step: Step, z: list[list[Ball]], first: list[Ball]) -> _Series:
+        """Return what the coefficients of a step's results are found from."""
+        place, node, recurrence, count = step
+        own = z[place : place + count]
+        if recurrence is not None:
+            own += [[x] for x in _values(recurrence, node, first)[count:]]
+        x = z[node.arguments[0]]
+        return _Series(node, recurrence, x, own, type(x[0])(node.number))
+
+
+class _Series(NamedTuple):
+    """The coefficients of a step's argument and of its results, and the step's number as a ball."""
+
+    node: Node
+    recurrence: Recurrence | None
+    argument: list[Ball]
+    results: list[list[Ball]]
+    number: Ball
 
 
 def collect_numbers(system: AbstractSystem) -> Float64[np.ndarray, "parameters"]:
@@ -176,15 +194,10 @@ def _value(x: Expression, z: list[Ball]) -> Ball:
     return total
 
 
-def _count(node: Node) -> int:
-    """Return how many nodes the results of a node are."""
-    return 1 + len(COMPANIONS.get(node.operation, ()))
-
-
-def _values(node: Node, z: list[Ball]) -> Sequence[Ball]:
+def _values(recurrence: Recurrence, node: Node, z: list[Ball]) -> Sequence[Ball]:
     """Return the values of a function's results."""
     x = z[node.arguments[0]]
-    return RECURRENCES[node.operation].values(BALLS, x, type(x)(node.number))
+    return recurrence.values(BALLS, x, type(x)(node.number))
 
 
 def _combine(node: Node, z: list[Ball]) -> Ball:
@@ -245,10 +258,7 @@ class _Balls(Words):
         return sum(map(terms, range(first, stop)), start)
 
     def totals(self, first: Any, stop: Any, starts: tuple[Any, ...], terms: Callable[[Any], Any]) -> Sequence[Ball]:
-        sums = starts
-        for j in range(first, stop):
-            sums = tuple(map(operator.add, sums, terms(j)))
-        return sums
+        return tuple(map(sum, zip(*map(terms, range(first, stop)), strict=True), starts)) or starts
 
     def squared_secant(self, x: Ball) -> Ball:
         return x.sech() ** 2
