@@ -1,7 +1,7 @@
 """Enclosures of closed forms against mpmath and the ball oracle; and doubles against enclosures, a third oracle.
 
-``ph.certify`` takes theta functions and the azimuth of the encircled axis, the library's doubles a quotient of theta
-functions in double-double, ``oracle.reference`` Landen's steps and the azimuth of another axis, and
+Of a body ``ph.certify`` takes the library's formulas with theta functions in place of series, of a top theta functions
+and integrals of the third kind. ``oracle.reference`` takes Landen's steps and the azimuth of another axis, and
 ``oracle.mpmath_motions`` no elliptic function at all.
 """
 
@@ -19,6 +19,7 @@ from oracle.measures import EPS
 from oracle.mpmath_motions import fraction, free_numbers, integrated_state, top_numbers
 from oracle.reference import reference_state
 from polhode.proving.enclosures import _elliptic_balls as elliptic_balls
+from polhode.proving.enclosures import _free_body_balls as free_body_balls
 from starts import lagrange_motion
 from twins.families_of_bodies import draw
 from twins.families_of_tops import draw_tops
@@ -147,25 +148,37 @@ def test_numbers_of_tops_hold_quadratures(name):
             assert holds(getattr(found, key), value), (key, getattr(found, key), mp.nstr(value, 40))
 
 
-def test_a_wrong_formula_is_seen(monkeypatch):
-    """An integral of the third kind that misses a part in 1e55 leaves the balls of 60 digits."""
-    right = elliptic_balls._third_kind_excess
-    monkeypatch.setattr(elliptic_balls, "_third_kind_excess", lambda *given: right(*given) * (1 + arb("1e-55")))
-    for check, name in ((test_states_of_bodies_hold_those_of_integrated_equations, "short-axis"),
-                        (test_states_of_tops_hold_those_of_integrated_equations, "loop")):  # fmt: skip
-        with pytest.raises(AssertionError):
-            check(name)
+def slightly_wrong(function):
+    return lambda *given: function(*given[:-1], given[-1] * (1 + arb("1e-55")))
+
+
+@pytest.mark.parametrize(("module", "function", "check", "name"), [
+    (free_body_balls, "theta4", test_states_of_bodies_hold_those_of_integrated_equations, "short-axis"),
+    (free_body_balls, "carlson", test_states_of_bodies_hold_those_of_integrated_equations, "symmetric, oblate"),
+    (elliptic_balls, "_third_kind_excess", test_states_of_tops_hold_those_of_integrated_equations, "loop"),
+    pytest.param(elliptic_balls.Periodic, "complete", test_numbers_of_tops_hold_quadratures, "cusp",
+                 marks=pytest.mark.long),
+])  # fmt: skip
+def test_a_wrong_formula_is_seen(monkeypatch, module, function, check, name):
+    """An argument that misses a part in 1e55 leaves the balls of 60 digits."""
+    monkeypatch.setattr(module, function, slightly_wrong(getattr(module, function)))
+    with pytest.raises(AssertionError):
+        check(name)
 
 
 @pytest.mark.long
-def test_a_wrong_cap_is_seen(monkeypatch):
-    """Quadratures tell a complete integral that misses a part in 1e55."""
-    right = elliptic_balls.Periodic.complete
-    monkeypatch.setattr(elliptic_balls.Periodic, "complete", lambda *given: right(*given) * (1 + arb("1e-55")))
-    for check, name in ((test_numbers_of_bodies_hold_quadratures, "long-axis"),
-                        (test_numbers_of_tops_hold_quadratures, "cusp")):  # fmt: skip
-        with pytest.raises(AssertionError):
-            check(name)
+def test_a_wrong_mean_is_seen(monkeypatch):
+    """Quadratures tell a sum of the third kind that misses a part in 1e55."""
+    space = free_body_balls.FORMULAS.frequencies.__globals__
+    right = space["third_kind_mean"]
+
+    def wrong(*given):
+        mean, (total, rest) = right(*given)
+        return mean, (total * (1 + arb("1e-55")), rest)
+
+    monkeypatch.setitem(space, "third_kind_mean", wrong)
+    with pytest.raises(AssertionError):
+        test_numbers_of_bodies_hold_quadratures("long-axis")
 
 
 # ------------------------------------------------------------------ a third oracle for the doubles, in every family

@@ -11,6 +11,10 @@ from flint import arb, ctx
 
 import polhode as ph
 from polhode.errors import InvalidInput
+from polhode.proving.enclosures import _ball_formulas
+from polhode.proving.enclosures._ball_formulas import FOR_BALLS
+from polhode.proving.enclosures._free_body_balls import FORMULAS, FreeBody
+from polhode.proving.enclosures._motion_starts import exact_start
 from polhode.proving.enclosures.enclosed_numbers import EnclosedNumber
 
 MOTION = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 0.2, 1.0))
@@ -190,3 +194,33 @@ def test_proofs_can_be_pickled_and_copied(motion):
             assert (one.lower, one.upper) == (two.lower, two.upper)
     state = proof.state(1.0)
     assert str(pickle.loads(pickle.dumps(state))) == str(state)
+
+
+@pytest.mark.parametrize(("moments", "momentum"), [
+    ((1.0, 2.0, 3.0), (0.3, 0.2, 1.0)), ((3.0, 4.0, 6.0), (1.0, 2.5, -1.0)),
+    ((1e150, 2.1e-150, 0.7), (1e-160, 0.3, 1e160)), ((0.1, 0.1, np.nextafter(0.1, 1.0)), (5e-324, 1.7e308, 0.3)),
+])  # fmt: skip
+def test_what_formulas_compare_is_exact(moments, momentum):
+    """Else a comparison of balls that overlap would take one way without a proof."""
+    body = FreeBody(exact_start(ph.FreeMotion(moments, momentum=momentum), {}))
+    assert all(_exact(body._reduced()).values())
+    with ctx.workprec(53):
+        rounded = FORMULAS.reduction(*(tuple(map(arb, x)) for x in (body._whole_moments, body._whole_momentum)))
+    assert all(_exact(rounded).values()) == (momentum == (1.0, 2.5, -1.0))
+
+
+def _exact(body):
+    return {name: getattr(body, name)[0].is_exact() for name in ("A", "B", "C", "P", "Q", "S", "V", "G2", "canonical")}
+
+
+@pytest.mark.parametrize("small", [0.5, 1e-3, 1e-30, 1e-300])
+def test_a_sum_of_the_third_kind_is_enclosed_or_refused(small, monkeypatch):
+    a, g, pp = ((arb(x), arb(0)) for x in (1.0, small, 0.3))
+
+    def total(bits):
+        with ctx.workprec(bits):
+            return FOR_BALLS["third_kind_mean"](a, g, pp)[1][0]
+
+    assert all(total(bits).contains(total(600)) for bits in range(40, 200))
+    monkeypatch.setattr(_ball_formulas, "MOST_STEPS", 3)
+    assert not total(100).is_finite()
