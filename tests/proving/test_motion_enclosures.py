@@ -14,8 +14,12 @@ from polhode.errors import InvalidInput
 from polhode.proving.enclosures import _ball_formulas
 from polhode.proving.enclosures._ball_formulas import FOR_BALLS
 from polhode.proving.enclosures._free_body_balls import FORMULAS, FreeBody
+from polhode.proving.enclosures._lagrange_top_balls import FORMULAS as OF_TOPS
+from polhode.proving.enclosures._lagrange_top_balls import LagrangeTop
 from polhode.proving.enclosures._motion_starts import exact_start
 from polhode.proving.enclosures.enclosed_numbers import EnclosedNumber
+from starts import lagrange_motion
+from twins.families_of_tops import draw_tops
 
 MOTION = ph.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 0.2, 1.0))
 TOP = ph.LagrangeMotion((1.0, 1.0, 0.5), mgl=1.0, momentum=(0.0, 0.0, 2.5), attitude=(0.8, 0.6, 0.0, 0.0))
@@ -224,3 +228,30 @@ def test_a_sum_of_the_third_kind_is_enclosed_or_refused(small, monkeypatch):
     assert all(total(bits).contains(total(600)) for bits in range(40, 200))
     monkeypatch.setattr(_ball_formulas, "MOST_STEPS", 3)
     assert not total(100).is_finite()
+
+
+@pytest.mark.parametrize("name", ["_first_alpha", "_first_beta"])
+@pytest.mark.parametrize("mgl", [0.0, 0.1, 1.0, 30.0])
+def test_either_form_of_a_rate_is_right(name, mgl, monkeypatch):
+    """So that balls may take the other one where a comparison is open; what one form rounds off less is no matter."""
+    top = LagrangeTop(exact_start(ph.LagrangeMotion((1, 1, 0.5), mgl=mgl, momentum=(0.5, -0.25, 2.5),
+                                                    attitude=(0.8, 0.36, 0.48, 0.0)), {}))  # fmt: skip
+    space = OF_TOPS.frequencies.__globals__
+    right = space[name]
+    with ctx.workprec(200):
+        _, _, one = top._rates()
+        monkeypatch.setitem(space, name, lambda *given: not right(*given))
+        _, _, other = top._rates()
+        for x, y in ((one.alpha[0], other.alpha[0]), (one.beta[0], other.beta[0])):
+            assert x.overlaps(y) and (x - y).rad() < arb(2) ** -150
+        monkeypatch.setitem(space, "start_of_alpha", lambda first, *given: FOR_BALLS["scale"](given[0], 1.5))
+        assert mgl == 0.0 or not top._rates()[2].alpha[0].overlaps(one.alpha[0])
+
+
+def test_few_bits_take_no_top_for_one_whose_roots_coincide():
+    for case in draw_tops(2, seed=9):
+        top = LagrangeTop(exact_start(lagrange_motion(*case[1:5]), {}))
+        with ctx.workprec(10):
+            rates = top._rates()[2]
+        coincide = top.separatrix, top.steady and not top.permanent
+        assert (rates.separatrix, rates.steady) == coincide, case

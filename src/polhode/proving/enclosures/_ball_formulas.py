@@ -1,7 +1,8 @@
 """The formulas of exact motion over words for balls, and in place of their short series the functions these stand for.
 
-A pair is a ball and zero, as a ball needs no second part. What formulas compare must be exact, or a root of what is:
-``exactly`` takes them through the reduction of a body without any rounding, so that each ``where`` is decided by proof.
+A pair is a ball and zero, as a ball needs no second part. Python takes a comparison of balls that overlap as false. So
+what formulas compare must be exact, or a root of what is, for which ``exact_bits`` is there; or both ways must be right
+and differ by rounding alone, as those do between which doubles choose by what cancels less.
 
 Source: Johansson, IEEE Trans. Comput. 66 (2017) 1281, for the arithmetic; Carlson, Numer. Algorithms 10 (1995) 13, for
 R_F; DLMF §20.2 for theta functions.
@@ -12,7 +13,6 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager
 from types import ModuleType, SimpleNamespace
 from typing import Any
 
@@ -54,9 +54,9 @@ def as_whole(numbers: Sequence[Rational]) -> tuple[list[int], int]:
     return [int(x.p) * (factor // int(x.q)) for x in numbers], factor
 
 
-def exactly(numbers: Sequence[int]) -> AbstractContextManager[Any]:
+def exact_bits(numbers: Sequence[int]) -> int:
     """Return a precision in which no sum of products is rounded that take each of these whole numbers twice at most."""
-    return ctx.workprec(max(ctx.prec, 2 * sum(x.bit_length() for x in numbers) + 32))
+    return 2 * sum(x.bit_length() for x in numbers) + 32
 
 
 def carlson(x: Ball, y: Ball, z: Ball) -> Ball:
@@ -64,9 +64,10 @@ def carlson(x: Ball, y: Ball, z: Ball) -> Ball:
     return acb.elliptic_rf(*(acb(number.nonnegative_part()) for number in (x, y, z))).real
 
 
-def theta4(turns: Ball, beyond: Ball, ratio: Ball) -> Ball:
-    """Return θ4(2π turns + i beyond) of nome e^(−π ratio), and of nome zero for ratio zero."""
-    return acb.modular_theta(acb(2 * turns, beyond / arb.pi()), acb(0, ratio))[3] if ratio != 0 else acb(1)
+def thetas(turns: Ball, beyond: Ball, ratio: Ball, *, order: int = 0) -> list[Ball]:
+    """Return θ1 to θ4 of z = 2π turns + i beyond and nome e^(−π ratio), or their derivatives by z."""
+    values = acb.modular_theta(acb(2 * turns, beyond / arb.pi()), acb(0, ratio), order)
+    return [x / arb.pi() ** order for x in values] if order else list(values)
 
 
 # ---------------------------------------------------------------------- words
@@ -126,7 +127,7 @@ FOR_BALLS: dict[str, Any] = {
     "divide": _of_balls(operator.truediv), "square": _of_balls(lambda x: x * x), "root": _of_balls(arb.sqrt),
     "root_or_zero": _of_balls(_root_or_zero), "scale": lambda x, y: (x[0] * y, ZERO),
     "multiply_float": lambda x, y: (x[0] * y, ZERO), "constant": _constant,
-    "choice": lambda condition, x, y: x if condition else y,
+    "choice": lambda condition, x, y: tuple(map(arb, x if condition else y)),
     "where": lambda condition, x, y: arb(x if condition else y),
     "larger": arb.max, "smaller": arb.min, "nearest": _nearest, "whole": _nearest, "floor": lambda x: arb(x).floor(),
     "binary_exponent": lambda x: ZERO, "times_power": lambda x, n: x * arb((1, int(float(n)))),

@@ -17,17 +17,17 @@ from polhode.exact.free_body import _formulas_numbers as formulas_numbers
 from polhode.exact.free_body import _formulas_rates as formulas_rates
 from polhode.exact.free_body import _formulas_reduction as formulas_reduction
 from polhode.exact.free_body import _formulas_setup as formulas_setup
-from polhode.exact.free_body._formulas import Motion, Spinor
+from polhode.exact.free_body._formulas import Motion
 from polhode.exact.free_body._formulas_reduction import Reduction
 from polhode.exact.free_body._formulas_setup import Arguments, Given
 from polhode.exact.free_body._geometry import REGIMES
 from polhode.proving.enclosures import _ball_turns as ball_turns
-from polhode.proving.enclosures._ball_formulas import ZERO, as_whole, carlson, exactly, for_balls, theta4
+from polhode.proving.enclosures._ball_formulas import ZERO, as_whole, carlson, exact_bits, for_balls, thetas
 from polhode.proving.enclosures._motion_starts import ExactBody, MotionStart, Values, refine_named
 from polhode.proving.enclosures.motion_enclosures import FreeEnclosure
 
+Balls = tuple[Ball, ...]
 STABLE, UNSTABLE = "stable", "unstable"
-INFINITE = arb("inf")
 
 
 def enclose_free_motion(start: MotionStart, digits: int) -> FreeEnclosure:
@@ -57,15 +57,20 @@ class FreeBody(ExactBody):
         self.twice_energy = total(x * w for x, w in zip(self.momentum, self.velocity, strict=True))
         self._whole_moments, self._of_moments = as_whole(self.moments)
         self._whole_momentum, self._of_momentum = as_whole(self.momentum)
+        self._reductions: dict[int, Reduction] = {}
+        self._motions: dict[int, Motion] = {}
         body = self._reduced()
         kind, *_ = FORMULAS.start_of(body)
         self.regime, self.steady = REGIMES[int(float(FORMULAS._regime(body, kind)))], kind.constant
         self.encircled_axis = None if kind.constant or kind.separatrix else int(float(body.order[2]))
-        self._motions: dict[int, Motion] = {}
 
     def _reduced(self) -> Reduction:
-        with exactly(self._whole_moments + self._whole_momentum):
-            return FORMULAS.reduction(_balls(self._whole_moments), _balls(self._whole_momentum))
+        bits = max(ctx.prec, exact_bits(self._whole_moments + self._whole_momentum))
+        if bits not in self._reductions:
+            with ctx.workprec(bits):
+                body = FORMULAS.reduction(_balls(self._whole_moments), _balls(self._whole_momentum))
+            self._reductions = {bits: body}
+        return self._reductions[bits]
 
     @property
     def _motion(self) -> Motion:
@@ -154,17 +159,17 @@ def _full_arguments(given: Given) -> Arguments:
     return Arguments((start / (4 * arb.pi()), ZERO), series, (ZERO, ZERO, ZERO, ZERO, ZERO), ZERO)
 
 
-def _full_spinors(m: Motion, time: Any) -> tuple[Spinor, Spinor]:
+def _full_spinors(m: Motion, time: Any) -> tuple[Balls, Balls]:
     """Return A and B by theta functions of z, and both without the phase of A, which only widens the momentum."""
     ratio, g, beyond_a, beyond_b, *_ = m.series
     (turns, _, _), (swing, _, count) = FORMULAS.phase(m.first, time), FORMULAS.phase(m.second, time)
     half = swing / 4 + m.start[0]  # z/4π, but for half turns of z, which the thetas repeat and the phases do not
-    a, b = theta4(2 * half, beyond_a, 2 * ratio), g * theta4(2 * half, beyond_b, 2 * ratio)
+    a, b = (acb(1) if ratio == 0 else thetas(2 * half, beyond, 2 * ratio)[3] for beyond in (beyond_a, beyond_b))
     half += (count - 4 * FORMULAS.whole(count / 4)) / 4
-    return _parts(a * _turn(turns - half), b * _turn(turns + half)), _parts(a, b * _turn(2 * half))
+    return _parts(a * _turn(turns - half), g * b * _turn(turns + half)), _parts(a, g * b * _turn(2 * half))
 
 
-def _complementary_spinors(m: Motion, time: Any) -> tuple[Spinor, Spinor]:
+def _complementary_spinors(m: Motion, time: Any) -> tuple[Balls, Balls]:
     turns, side, count, e, factor, other, other_factor = FORMULAS.complementary_phase(m, time)
     rest = side, count, e.exp() * factor, other.exp() * other_factor
     return FORMULAS.complementary_sums(m, turns, *rest), FORMULAS.complementary_sums(m, ZERO, *rest)
@@ -174,7 +179,7 @@ def _turn(turns: Ball) -> Ball:
     return acb(2 * turns).exp_pi_i()
 
 
-def _parts(a: Ball, b: Ball) -> Spinor:
+def _parts(a: Ball, b: Ball) -> Balls:
     return a.real, a.imag, b.real, b.imag
 
 

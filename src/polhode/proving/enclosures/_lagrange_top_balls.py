@@ -1,26 +1,40 @@
-"""The Lagrange top in exact rational numbers, and balls computed from them.
+"""Enclosures of a Lagrange top's motion from exact numbers: its regime, its constants, and its state at any time.
 
 The tilt follows a cubic with rational coefficients, f(u) = (1 − u²)(e − k u) − (p − a u)² for u = cos θ, whose roots
 are enclosed in balls. Its double roots are rational, and the greatest common divisor with its derivative finds them: a
-constant tilt, or the separatrix. The Cayley–Klein parameters α = w + iz and β = x + iy turn at rates rational in u,
-whose integrals are of the third kind; a top that passes a vertical has no such integral there, but a factor that
-changes sign.
+constant tilt, or the separatrix. All else is by the formulas of ``polhode.exact.lagrange_top``, but for their series:
+A(z) is √t₂ θ3 θ1(z ∓ iy)/θ2(iy), and B(z) is √s₁ θ4 θ2(z ∓ iy)/θ2(iy).
 
 Source: Klein & Sommerfeld, *Theorie des Kreisels*, ch. IV; Whittaker, *Analytical Dynamics*, §71–73.
 """
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from types import SimpleNamespace
+from typing import Any
 
 from flint import acb, arb, ctx, fmpq, fmpq_poly
 
 from polhode.analysis._exact_arithmetic import Ball, Rational, Wanted
+from polhode.exact.lagrange_top import _formulas as formulas
+from polhode.exact.lagrange_top import _formulas_integrals as formulas_integrals
+from polhode.exact.lagrange_top import _formulas_numbers as formulas_numbers
+from polhode.exact.lagrange_top import _formulas_rates as formulas_rates
+from polhode.exact.lagrange_top import _formulas_roots as formulas_roots
+from polhode.exact.lagrange_top import _formulas_setup as formulas_setup
+from polhode.exact.lagrange_top._formulas import Motion
+from polhode.exact.lagrange_top._formulas_integrals import Integrals
+from polhode.exact.lagrange_top._formulas_rates import Frequencies
+from polhode.exact.lagrange_top._formulas_roots import Reduction, TurningPoints
+from polhode.exact.lagrange_top._formulas_setup import Arguments, Given
+from polhode.exact.lagrange_top._geometry import REGIMES
 from polhode.proving.enclosures import _ball_turns as ball_turns
-from polhode.proving.enclosures._elliptic_balls import Oscillation, Periodic, Place, Separatrix
-from polhode.proving.enclosures._free_body_balls import INFINITE, STABLE, UNSTABLE, whole_turns
+from polhode.proving.enclosures._ball_formulas import ZERO, carlson, for_balls, thetas
+from polhode.proving.enclosures._free_body_balls import STABLE, UNSTABLE, Balls, whole_turns
 from polhode.proving.enclosures._motion_starts import ExactBody, MotionStart, Values, refine_named
 from polhode.proving.enclosures.motion_enclosures import TopEnclosure
+
+NONE: Any = (ZERO, ZERO, ZERO, ZERO)
 
 
 def enclose_top_motion(start: MotionStart, digits: int) -> TopEnclosure:
@@ -44,7 +58,7 @@ class LagrangeTop(ExactBody):
         reversed: whether these axes are the given ones rotated by π about the first, for a weight below zero.
         I1, I3, k: moments, and 2 I1 mgl ≥ 0.
         alpha, beta: Cayley–Klein parameters times |q|, each a pair of rationals; ``size`` is |q|².
-        across: L1 and L2.
+        across: L1 and L2; ``across2`` is the sum of their squares.
         a, p: momenta about the axis and about the vertical.
         u: cos θ at the start.
         falling: I1 u' at the start.
@@ -65,43 +79,22 @@ class LagrangeTop(ExactBody):
         self.size = ball_turns.square_of((w, x, y, z))
         up = [2 * (x * z - w * y) / self.size, 2 * (y * z + w * x) / self.size]
         self.u = (w * w + z * z - x * x - y * y) / self.size
-        self.k = 2 * self.I1 * abs(weight)
         self.mgl = abs(weight)
+        self.k = 2 * self.I1 * self.mgl
         self.p = L1 * up[0] + L2 * up[1] + self.a * self.u
         self.falling = up[0] * L2 - up[1] * L1
-        self.e = L1 * L1 + L2 * L2 + self.k * self.u
+        self.across2 = L1 * L1 + L2 * L2
+        self.e = self.across2 + self.k * self.u
         self.energy = self.e / (2 * self.I1) + self.a * self.a / (2 * self.I3)
         k, a, p, e = self.k, self.a, self.p, self.e
         self.cubic = fmpq_poly([e - p * p, 2 * p * a - k, -e - a * a, k])
-        self.spin = a * (1 / self.I3 - 1 / self.I1)
-        self._set_regime()
-        self._made: dict[int, Any] = {}
-
-    def _set_regime(self) -> None:
-        still = self.across[0] == 0 and self.across[1] == 0
-        upright = abs(self.u) == 1
-        self.double = self._double_root()
-        self.steady = self.double is not None and self.double == self.u
-        separatrix = self.double is not None and not self.steady
-        permanent = still and (upright or (self.k == 0 and self.a == 0))
-        turning = self.p / self.a if self.a != 0 else fmpq(2)  # the tilt at which the azimuth has a turning point
-        lean = self.cubic(turning)
-        if permanent and self.a == 0:
-            self.regime = "rest"
-        elif self.k == 0:
-            self.regime = "free"
-        elif permanent:
-            self.regime = "sleeping" if self.u == 1 else "hanging"
-        elif separatrix:
-            self.regime = "separatrix"
-        elif self.steady:
-            self.regime = "steady"
-        elif self.a == 0 and self.p == 0:
-            self.regime = "planar"
-        else:
-            within = abs(turning) < 1
-            self.regime = "loop" if within and lean > 0 else "cusp" if within and lean == 0 else "undulating"
-        self.permanent, self.separatrix = permanent, separatrix
+        double = self._double_root()
+        self.steady = double is not None and double == self.u
+        self.separatrix = double is not None and not self.steady
+        self.permanent = self.across2 == 0 and (abs(self.u) == 1 or (k == 0 and a == 0))
+        kind = SimpleNamespace(permanent=self.permanent, separatrix=self.separatrix, steady=self.steady)
+        self.regime = REGIMES[int(float(FORMULAS._regime(self._reduced(), kind)))]
+        self._motions: dict[int, Motion] = {}
 
     def _double_root(self) -> Rational | None:
         """Return the double root of the cubic, which is rational; None where all roots are simple."""
@@ -131,7 +124,25 @@ class LagrangeTop(ExactBody):
             return None
         return self.verdicts["upright" if self.u == 1 else "hanging"]
 
-    # ------------------------------------------------------------------ numbers
+    # ------------------------------------------------------------------ balls, at the present precision
+
+    def _reduced(self) -> Reduction:
+        a, p, u, k, w2 = self.a, self.p, self.u, self.k, self.across2
+        pairs = (self.size, k, 1 - u, 1 + u, u, self.falling, p - a, p + a, p - u * a, w2 - k * (1 - u) - a * (p - a),
+                 2 * k - a * a - w2 + k * (1 - u), w2, a * (w2 - k * (1 - u)) - k * (p - a))  # fmt: skip
+        return Reduction(
+            (arb(self.I1), arb(self.I3)), (arb(self.across[0]), arb(self.across[1]), arb(a)), NONE, self.reversed, ZERO,
+            arb(1), arb(1), *((arb(x), ZERO) for x in pairs),
+        )  # fmt: skip
+
+    def _rates(self) -> tuple[Reduction, TurningPoints, Frequencies]:
+        top = self._reduced()
+        points = _turning_points(self, top)
+        rates = FORMULAS.frequencies(top, points)
+        if (rates.separatrix, rates.steady) != (self.separatrix, self.steady and not self.permanent):
+            with ctx.workprec(2 * ctx.prec):  # in which roots that differ are apart
+                return self._rates()
+        return top, points, rates
 
     def constants(self) -> dict[str, Wanted]:
         """Return energy and momenta."""
@@ -141,47 +152,28 @@ class LagrangeTop(ExactBody):
 
     def moving_constants(self) -> dict[str, Wanted]:
         """Return limits of the tilt, period, precession, own turn and action, as far as they are defined."""
-        if self.separatrix:
-            rest = self.separatrix_root()
-            return {**self._limits(arb(rest), arb(1)), "nutation_period": Wanted(INFINITE)}
-        if self.steady:
-            return {**self._limits(arb(self.u), arb(self.u)), **self._steady_constants()}
-        swing = self._swing
-        assert isinstance(swing, Nutation)
-        return {**self._limits(swing.u1, swing.u2), **swing.constants()}
+        top, points, rates = self._rates()
+        numbers = FORMULAS.numbers(top, points, rates)
+        period, precession, spin = numbers.period, numbers.precession_per_period, numbers.spin_per_period
+        turn = 2 * arb.pi()
+        found = {"lowest": Wanted(numbers.lowest, arb(1)), "highest": Wanted(numbers.highest, arb(1))}
+        if not self.permanent:
+            found["nutation_period"] = Wanted(period)
+        if not (self.permanent or self.separatrix):
+            found |= {"precession_per_period": Wanted(precession, turn), "spin_per_period": Wanted(spin, turn),
+                      "precession_rate": Wanted(precession / period, turn / period),
+                      "spin_rate": Wanted(spin / period, turn / period)}  # fmt: skip
+        if not (self.steady or self.separatrix):
+            own = -spin if self.reversed else spin
+            twice_kinetic = 2 * (arb(self.energy) - arb(self.mgl) * self._mean_tilt(points)) * period
+            found["action"] = Wanted((twice_kinetic - arb(self.p) * precession - arb(self.a) * own) / turn)
+        return found
 
-    def _limits(self, lowest: Ball, highest: Ball) -> dict[str, Wanted]:
-        if self.reversed:
-            lowest, highest = -highest, -lowest
-        return {"lowest": Wanted(lowest, arb(1)), "highest": Wanted(highest, arb(1))}
-
-    def separatrix_root(self) -> Rational:
-        """Return the simple root of a cubic with a double root at 1."""
-        return self.cubic.coeffs()[0] / self.k * -1 if self.k else self.u
-
-    def _steady_constants(self) -> dict[str, Wanted]:
-        """Return the numbers of a top of constant tilt, those of its smallest nutations."""
-        if self.permanent:
-            return {}
-        # I1² ω² = −f''/2 for small nutations about a double root
-        curvature = -self.cubic.derivative().derivative()(self.u) / 2
-        period = 2 * arb.pi() * arb(self.I1) / arb(curvature).sqrt()
-        alpha, beta = self.steady_rates()
-        return _per_period(self, period, arb(alpha) * period, arb(beta) * period)
-
-    def steady_rates(self) -> tuple[Rational, Rational]:
-        """Return the rates at which α and β turn at a constant tilt."""
-        up = (self.p + self.a) / (self.I1 * (1 + self.u)) if self.u != -1 else fmpq(0)
-        down = (self.p - self.a) / (self.I1 * (1 - self.u)) if self.u != 1 else fmpq(0)
-        return (self.spin + up) / 2, (down - self.spin) / 2
-
-    # ------------------------------------------------------------------ the state
-
-    @property
-    def _swing(self) -> Nutation:
-        if ctx.prec not in self._made:
-            self._made = {ctx.prec: Nutation(self)}
-        return self._made[ctx.prec]
+    def _mean_tilt(self, points: TurningPoints) -> Ball:
+        """Return the mean of cos θ over a nutation, u1 + (u2 − u1)(K − E)/mK."""
+        d, m1 = points.d[0], points.B[0] / points.A[0]
+        share = acb.elliptic_rd(0, acb(m1), 1).real / 3 * 2 * arb(1).agm(m1.sqrt()) / arb.pi()
+        return points.t1[0] - 1 + d * share
 
     def lost_bits(self, elapsed: Rational) -> float:
         momentum = abs(self.across[0]) + abs(self.across[1]) + abs(self.a)
@@ -190,185 +182,131 @@ class LagrangeTop(ExactBody):
         return whole_turns(abs(elapsed) * rate)
 
     def values_at(self, elapsed: Rational) -> Values:
-        norm = arb(self.size).sqrt()
-        alpha, beta = (acb(arb(x), arb(y)) / norm for x, y in (self.alpha, self.beta))
-        across = acb(*map(arb, self.across))
-        if self.steady:
-            rates = self.steady_rates()
-            factors = [_turn(arb(rate) * arb(elapsed)) for rate in rates]
-            alpha, beta = alpha * factors[0], beta * factors[1]
-            across = across * self._steady_turn_of_momentum(elapsed)
-        else:
-            alpha, beta, across = self._swing.state(elapsed, alpha, beta, across)
-        size = abs(across) + arb(self.first_square()).sqrt()
-        axial = arb(self.a)
-        if self.reversed:
-            alpha, beta, across, axial = beta, -alpha, across.conjugate(), -axial
-        return Values([alpha.real, beta.real, beta.imag, alpha.imag], [across.real, across.imag, axial], size)
+        if ctx.prec not in self._motions:
+            self._motions = {ctx.prec: self._motion()}
+        motion = self._motions[ctx.prec]
+        state = FORMULAS.state_of(motion, _sums(motion, (arb(elapsed), ZERO, ZERO)))
+        size = abs(acb(state[4], state[5])) + arb(self.across2 + self.a * self.a).sqrt()
+        return Values(list(state[:4]), list(state[4:]), size)
 
-    def _steady_turn_of_momentum(self, elapsed: Rational) -> Ball:
-        """Return the factor of L1 + iL2 at a constant tilt; they vanish where the axis is vertical."""
-        alpha, beta = self.steady_rates()
-        if abs(self.u) == 1:  # with weight the momentum is along the axis; without, it precesses as in a free body
-            return _turn(arb(-self.spin) * arb(elapsed))
-        return _turn(arb(beta - alpha) * arb(elapsed))
+    def _motion(self) -> Motion:
+        top, points, rates = self._rates()
+        at = FORMULAS.arguments(top, points, rates, FORMULAS.integrals_of(top, points, rates))
+        motion, _ = FORMULAS.motion_without_phases(Given(top, points, rates, at, arb(self.start.momentum[2])))
+        return motion._replace(phases=self._phases(_sums(motion, (ZERO, ZERO, ZERO))))
 
-    def first_square(self) -> Rational:
-        """Return |L|² at the start."""
-        return self.across[0] ** 2 + self.across[1] ** 2 + self.a**2
+    def _phases(self, sums: Balls) -> Any:
+        """Return cos and sin of the phases of the start; where α or β is zero there, their rates have them."""
+        ar, ai, br, bi, dar, dai, dbr, dbi, turns_a, turns_b = sums
+        alpha, beta, w = (acb(arb(x), arb(y)) for x, y in (self.alpha, self.beta, self.across))
+        a, b = acb(ar, ai), acb(br, bi)
+        if self.u == -1:  # 2α' = −w̄ β
+            alpha, a = -w.conjugate() * beta, acb(dar, dai)
+        elif self.u == 1:  # 2β' = wα
+            beta, b = w * alpha, acb(dbr, dbi)
+        return *_direction(alpha, a, turns_a), *_direction(beta, b, turns_b)
 
 
-def _per_period(top: LagrangeTop, period: Ball, alpha: Ball, beta: Ball) -> dict[str, Wanted]:
-    """Return period, turns and rates from the angles by which α and β turn in a period."""
-    precession, spin = alpha + beta, alpha - beta
-    if top.reversed:
-        spin = -spin
-    turn, rate = 2 * arb.pi(), 2 * arb.pi() / period
-    return {"nutation_period": Wanted(period), "precession_per_period": Wanted(precession, turn),
-            "spin_per_period": Wanted(spin, turn), "precession_rate": Wanted(precession / period, rate),
-            "spin_rate": Wanted(spin / period, rate)}  # fmt: skip
+def _direction(value: Ball, of: Ball, turns: Ball) -> tuple[Ball, Ball]:
+    """Return cos and sin of the angle from a complex number and some turns to a value, 1 and 0 if that is zero."""
+    if value == 0:
+        return arb(1), ZERO
+    turned = value / (of * acb(2 * turns).exp_pi_i())
+    turned = turned / abs(turned)
+    return turned.real, turned.imag
 
 
-def _turn(angle: Ball) -> Ball:
-    return acb(0, angle).exp()
+# ---------------------------------------------------------------------- the functions that the series stand for
 
 
-class _Roots(NamedTuple):
-    """The roots of the cubic: the tilt's limits, their difference, the parameters m and 1 − m, and κ of sn(κ t)."""
-
-    u1: Ball
-    u2: Ball
-    width: Ball
-    m: Ball
-    m1: Ball
-    rate: Ball
-    at: int | None  # which of both the motion starts from, 0 or 1
+def _integral(idle: bool, terms: tuple[Ball, Ball, Ball]) -> Ball:
+    """Return √c R_F(x, y, 1), or some number where there is none."""
+    x, y, c = terms
+    return arb(1) if idle else c.nonnegative_part().sqrt() * carlson(x, y, arb(1))
 
 
-class Nutation:
-    """The nutation u = u1 + (u2 − u1) sn² of a top, in balls of one precision; the separatrix is m = 1."""
-
-    def __init__(self, top: LagrangeTop) -> None:
-        self.top = top
-        self.u1, self.u2, self.width, m, m1, self.rate, at = _find_roots(top)
-        sn = ((arb(top.u) - self.u1) / self.width).sqrt() if at is None else arb(at)
-        cn = ((self.u2 - arb(top.u)) / self.width).sqrt() if at is None else arb(1 - at)
-        if top.falling < 0:
-            sn = -sn
-        self.oscillation: Oscillation = Separatrix(sn, cn) if top.separatrix else Periodic(m, m1, sn, cn)
-        # of 1 + u and 1 − u, over their values at sn = 0
-        self.up, self.down = 1 + self.u1, 1 - self.u1
-        self.through_bottom = top.p == -top.a and bool(self.u1 == -1)
-        self.through_top = top.p == top.a and bool(self.u2 == 1) and not top.separatrix
-        self.turns_alpha, self.turns_beta = top.p != -top.a, top.p != top.a
-
-    def constants(self) -> dict[str, Wanted]:
-        """Return period, precession, own turn and action."""
-        top, oscillation = self.top, self.oscillation
-        assert isinstance(oscillation, Periodic)
-        period = 2 * oscillation.quarter / self.rate
-        alpha = arb(top.spin) * period / 2
-        beta = -alpha
-        if self.turns_alpha:
-            alpha += self._share_alpha() * 2 * oscillation.complete(-self.width / self.up, (1 + self.u2) / self.up)
-        if self.turns_beta:
-            beta += self._share_beta() * 2 * oscillation.complete(self.width / self.down, (1 - self.u2) / self.down)
-        mean = self.u1 + self.width * oscillation.mean_square()
-        twice_kinetic = 2 * (arb(top.energy) - arb(top.mgl) * mean) * period
-        action = (twice_kinetic - arb(top.p) * (alpha + beta) - arb(top.a) * (alpha - beta)) / (2 * arb.pi())
-        if self.through_bottom:
-            alpha += arb.pi()
-        if self.through_top:
-            beta += arb.pi()
-        return {**_per_period(top, period, alpha, beta), "action": Wanted(action)}
-
-    def _share_alpha(self) -> Ball:
-        return arb((self.top.p + self.top.a) / (2 * self.top.I1)) / (self.up * self.rate)
-
-    def _share_beta(self) -> Ball:
-        return arb((self.top.p - self.top.a) / (2 * self.top.I1)) / (self.down * self.rate)
-
-    def state(self, elapsed: Rational, alpha: Ball, beta: Ball, across: Ball) -> tuple[Ball, Ball, Ball]:
-        """Return α, β and L1 + iL2 a time after the epoch, from those at the epoch."""
-        top, t = self.top, arb(elapsed)
-        place = self.oscillation.after(self.rate * t)
-        spin = _turn(arb(top.spin) * t / 2)
-        later_alpha, alpha_rate = self._alpha(place, alpha, beta, across)
-        later_beta, beta_rate = self._beta(place, alpha, beta, across)
-        half = acb(0, arb(top.spin) / 2)
-        later_alpha, alpha_rate = later_alpha * spin, alpha_rate * spin
-        later_beta, beta_rate = later_beta / spin, beta_rate / spin
-        alpha_rate, beta_rate = alpha_rate + half * later_alpha, beta_rate - half * later_beta
-        # 2α' = iΩ3 α − w̄β/I1 and 2β' = wα/I1 − iΩ3 β, solved for w
-        later = 2 * arb(top.I1) * (later_alpha.conjugate() * beta_rate - later_beta * alpha_rate.conjugate())
-        return later_alpha, later_beta, later
-
-    def _find_speed(self, place: Place) -> Ball:
-        """Return half of u'."""
-        return self.width * self.rate * place.sn * place.cn * place.dn
-
-    def _alpha(self, place: Place, alpha: Ball, beta: Ball, across: Ball) -> tuple[Ball, Ball]:
-        """Return α and its rate without the spin that I3 ≠ I1 adds."""
-        top, start = self.top, self.oscillation.start
-        if self.through_bottom:
-            if start.sn == 0:  # from straight down, where 2 I1 α' = −w̄β
-                scale = -across.conjugate() * beta / (2 * arb(top.I1) * self.rate)
-            else:
-                scale = alpha / start.sn
-            return scale * place.sn, scale * self.rate * place.cn * place.dn
-        above = self.up + self.width * place.sn * place.sn
-        value = alpha * (above / arb(1 + top.u)).sqrt()
-        turning = arb(0)
-        if self.turns_alpha:
-            n, n1 = -self.width / self.up, (1 + self.u2) / self.up
-            value = value * _turn(self._share_alpha() * self.oscillation.swept(place, n, n1))
-            turning = arb((top.p + top.a) / (2 * top.I1)) / above
-        return value, value * acb(self._find_speed(place) / above, turning)
-
-    def _beta(self, place: Place, alpha: Ball, beta: Ball, across: Ball) -> tuple[Ball, Ball]:
-        """Return β and its rate without the spin that I3 ≠ I1 adds."""
-        top, start = self.top, self.oscillation.start
-        if self.through_top:
-            if start.cn == 0:  # from upright, where 2 I1 β' = wα
-                root = self.oscillation.start.dn
-                scale = -across * alpha / (2 * arb(top.I1) * self.rate * start.sn * root)
-            else:
-                scale = beta / start.cn
-            return scale * place.cn, -scale * self.rate * place.sn * place.dn
-        below = (1 - self.u2) + self.width * place.cn * place.cn
-        value = beta * (below / arb(1 - top.u)).sqrt()
-        turning = arb(0)
-        if self.turns_beta:
-            n, n1 = self.width / self.down, (1 - self.u2) / self.down
-            value = value * _turn(self._share_beta() * self.oscillation.swept(place, n, n1))
-            turning = arb((top.p - top.a) / (2 * top.I1)) / below
-        return value, value * acb(-self._find_speed(place) / below, turning)
+def _sharp_integral(idle: bool, terms: Any) -> tuple[Ball, Ball]:
+    (x, _), (y, _), (c, _) = terms
+    return _integral(idle, (x, y, c)), ZERO
 
 
-def _find_roots(top: LagrangeTop) -> _Roots:
-    """Return the roots, exact where they are at a vertical or at the start."""
-    twice, cubic = 2 * arb(top.I1), top.cubic
-    slope = cubic.derivative()(top.u)
-    at = None if cubic(top.u) != 0 else 0 if slope > 0 else 1
-    if top.separatrix:
-        low = top.separatrix_root()
-        return _Roots(arb(low), arb(1), 1 - arb(low), arb(1), arb(0), (arb(top.k) * (1 - arb(low))).sqrt() / twice, at)
-    if top.k == 0:
-        square = top.first_square()
-        middle, half = top.p * top.a / square, arb((square - top.a**2) * (square - top.p**2)).sqrt() / arb(square)
-        u1, u2, width, m, m1 = arb(middle) - half, arb(middle) + half, 2 * half, arb(0), arb(1)
-        rate = arb(square).sqrt() / twice
-    else:
-        u1, u2, width, rest = _three_roots(cubic)
-        m, m1 = width / (width + rest), rest / (width + rest)
-        rate = (arb(top.k) * (width + rest)).sqrt() / twice
-    if top.p == -top.a:
-        u1 = arb(-1)
-    if top.p == top.a and (top.k == 0 or top.e > top.k):
-        u2 = arb(1)
-    if at is not None:
-        u1, u2 = (arb(top.u), u2) if at == 0 else (u1, arb(top.u))
-    return _Roots(u1, u2, width, m, m1, rate, at)
+def _arguments(top: Reduction, points: TurningPoints, rates: Frequencies, integrals: Integrals) -> Arguments:
+    """Return the places of start and poles; the nome is zero where no theta function is taken."""
+    by = arb(1) if rates.separatrix or rates.permanent else rates.nutation[0] / rates.half_root[0]  # π/2K
+    x0 = integrals.x0[0] if top.p[0] >= 0 else -integrals.x0[0]
+    return Arguments(
+        not rates.separatrix, ZERO, arb(1), integrals.v_alpha * by, integrals.v_beta * by, ZERO, ZERO, (x0, ZERO)
+    )
+
+
+def _full(given: Given) -> Any:
+    """Return the series, or for 0 < m < 1 the sizes of A and B, the imaginary parts of their poles, and K'/K."""
+    top, points, at, rates = given.top, given.points, given.at, given.rates
+    part = top.G[0] * points.d[0]
+    if part == 0:
+        return PLAIN.full_series(top, points, at, PLAIN.tails(at))
+    ratio = 2 * rates.nutation[0] / (2 * rates.half_root[0]).agm(part.sqrt())
+    _, _, theta3, theta4 = thetas(ZERO, ZERO, ratio)
+    size_a = (points.t2[0] / 2).sqrt() * theta3.real / thetas(ZERO, at.y_alpha, ratio)[1].real
+    size_b = (points.s1[0] / 2).sqrt() * theta4.real / thetas(ZERO, at.y_beta, ratio)[1].real
+    return (size_a, at.y_alpha, ZERO, ZERO), NONE, (size_b, at.y_beta, ZERO, ZERO), NONE, ratio
+
+
+def _full_sums(m: Motion, time: Any) -> Balls:
+    if m.constant == 0:
+        return PLAIN.full_sums(m, time)
+    (size_a, y_a, *_), (size_b, y_b, *_), (sign_a, sign_b) = m.a_sum, m.b_sum, m.signs
+    turns = PLAIN.phase(m.third, time)[0] + m.start[0]
+    numbers = []
+    for order in (0, 1):
+        a = size_a * thetas(turns, -sign_a * y_a, m.constant, order=order)[0]
+        b = size_b * thetas(turns, -sign_b * y_b, m.constant, order=order)[1]
+        numbers += [a.real, a.imag, b.real, b.imag]
+    return *numbers, PLAIN.phase(m.first, time)[0], PLAIN.phase(m.second, time)[0]
+
+
+def _sums(m: Motion, time: Any) -> Balls:
+    if m.full == 1:
+        return FORMULAS.full_sums(m, time)
+    side, turns_a, turns_b, e, factor, other, other_factor = FORMULAS.complementary_phase(m, time)
+    return FORMULAS.complementary_sums(m, side, turns_a, turns_b, e.exp() * factor, other.exp() * other_factor)
+
+
+MODULES = formulas, formulas_roots, formulas_rates, formulas_integrals, formulas_setup, formulas_numbers
+PLAIN = for_balls(*MODULES)
+FORMULAS = for_balls(
+    *MODULES, arguments=_arguments, _integral=_integral, _sharp_integral=_sharp_integral, _full=_full,
+    full_sums=_full_sums,
+)
+
+
+# ---------------------------------------------------------------------- turning points
+
+
+def _turning_points(top: LagrangeTop, reduced: Reduction) -> TurningPoints:
+    """Return the distances of the roots, which are rational where two of them coincide."""
+    u, k, cubic = top.u, top.k, top.cubic
+    total = top.across2 + top.a**2
+    if top.steady or top.separatrix:
+        # the roots, and G times the distance of the upper two, which stays where G is zero
+        u1, u2, above = (u, u, total + k * (u - 2 * u)) if top.steady else (-cubic.coeffs()[0] / k, fmpq(1), fmpq(0))
+        A = above + k * (u2 - u1)
+        gaps = (u - u1, u2 - u, u2 - u1, 1 - u1, 1 - u2, 1 + u1, 1 + u2, A, above, A - k * (u - u1),
+                above - k * (1 - u2), A + k * (1 + u1))  # fmt: skip
+        return TurningPoints(*((arb(x), ZERO) for x in gaps))
+    is_upper, lone = True, arb(total)
+    if k != 0:
+        least, middle, d, rest = _three_roots(cubic)
+        is_upper = rest > d
+        lone = arb(k) * (middle + rest - arb(u)) if is_upper else 1 - least
+    G, s0, t0, u0 = reduced.G, reduced.s0, reduced.t0, reduced.u0
+    p2, c2 = arb(top.falling**2), arb((top.p - top.a) ** 2)
+    f1, _, _ = FORMULAS.cubics(
+        reduced.momentum[2], G, G, s0, t0, u0, reduced.w2, reduced.twist, (p2, ZERO), (c2, ZERO), reduced.D, reduced.F
+    )
+    return FORMULAS.turning_points_of(
+        is_upper, (lone, ZERO), G, G, s0, t0, (p2, ZERO), (c2, ZERO), reduced.c_plus, reduced.F, f1
+    )
 
 
 def _three_roots(cubic: fmpq_poly) -> tuple[Ball, Ball, Ball, Ball]:
