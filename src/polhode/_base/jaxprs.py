@@ -24,6 +24,8 @@ CALLS = frozenset((
 
 Others hold functions too, and do something else with them: a reduction combines elements by one.
 """
+WRITTEN_OUT = frozenset(("jit", "pjit", "call", "core_call", "closed_call"))  # those that change nothing
+NAMED = frozenset(("solve_kepler", "_whole_turns"))  # functions of polhode's own that have rules as operations have
 CALLED = ("jaxpr", "call_jaxpr")  # parameters of these that may hold the function
 BRANCHING = frozenset(("scan", "while", "cond"))
 
@@ -221,6 +223,13 @@ class Listing:
         made.constants = {place: convert(value) for place, value in self.constants.items()}
         return made
 
+    def with_values(self, values: Mapping[int, Any]) -> Listing:
+        """Return a listing with other numbers at some places of literals and constants."""
+        made = copy.copy(self)
+        made.literals = {place: values.get(place, number) for place, number in self.literals.items()}
+        made.constants = {place: values.get(place, number) for place, number in self.constants.items()}
+        return made
+
     def _new(self) -> int:
         self.size += 1
         return self.size - 1
@@ -340,6 +349,11 @@ def numbers_within(closed: Any) -> Iterator[Shaped[Array, "..."]]:
         yield from constants
         for equation in jaxpr.eqns:
             yield from (v.val for v in equation.invars if hasattr(v, "val"))
+
+
+def names_within(closed: Any) -> set[str]:
+    """Return the names of all operations in a function and functions within it."""
+    return {equation.primitive.name for jaxpr, _ in _all_within(closed) for equation in jaxpr.eqns}
 
 
 def types_within(closed: Any) -> list[str]:

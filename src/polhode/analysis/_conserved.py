@@ -19,6 +19,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode._base.arrays import arrays_for_few_calls
+from polhode.algebra._closures import take_apart
 from polhode.algebra._functions import Function, check_functions
 from polhode.algebra._polynomial import Polynomial
 from polhode.algebra.base import AbstractLieAlgebra
@@ -126,7 +127,7 @@ class Casimirs(NamedTuple):
 def choose_casimirs(algebra: AbstractLieAlgebra, casimirs: Sequence[Function] | None) -> Casimirs:
     """Return the user's Casimirs, or those that the algebra names, or polynomials from exact algebra."""
     if casimirs is not None:
-        functions = check_functions("casimirs", casimirs, algebra.element_shape, algebra.dtype)
+        functions = read_functions("casimirs", casimirs, algebra)
         names = [f"C{k + 1}" for k in range(len(functions))]
         return Casimirs(Given(algebra, functions), names, _lack(len(functions), index(algebra), "were given"))
     wanted = index(algebra)
@@ -141,6 +142,17 @@ def choose_casimirs(algebra: AbstractLieAlgebra, casimirs: Sequence[Function] | 
     texts = [str(p) for p in polynomials]
     return Casimirs(Polynomials(polynomials), texts,
                     _lack(len(polynomials), wanted, f"of degree ≤ {LIMITS.max_casimir_degree} exist"))
+
+
+def read_functions(name: str, value: Any, algebra: AbstractLieAlgebra) -> tuple[Function, ...]:
+    """Return a user's functions of one point as data, where they can be.
+
+    Raises:
+        InvalidInput: for what is not a list of such functions.
+    """
+    functions = check_functions(name, value, algebra.element_shape, algebra.dtype)
+    point = jax.ShapeDtypeStruct(algebra.element_shape, algebra.dtype)
+    return tuple(take_apart(function, point) for function in functions)
 
 
 def _lack(count: int, wanted: int, how: str) -> MissingCasimirs | None:

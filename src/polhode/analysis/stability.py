@@ -20,9 +20,9 @@ import numpy as np
 
 from polhode._base.arrays import known_numbers_only
 from polhode._base.rational.numbers import as_fmpq
-from polhode.algebra._functions import Function, check_functions
+from polhode.algebra._functions import Function
 from polhode.algebra.properties import index, is_compact
-from polhode.analysis._conserved import Casimirs, Energy, Source, choose_casimirs, samples_around
+from polhode.analysis._conserved import Casimirs, Energy, Source, choose_casimirs, read_functions, samples_around
 from polhode.analysis._equilibrium_data import Problem, problem
 from polhode.analysis._exact_families import moves_along_equilibria
 from polhode.analysis._exact_functions import exact_functions
@@ -112,7 +112,7 @@ def stability(
     mu = as_points(algebra, equilibrium)
     if mu.shape != algebra.element_shape:
         raise InvalidInput(f"`equilibrium` must be one point {algebra.element_shape}; got shape {mu.shape}.")
-    integrals = check_functions("integrals", integrals, algebra.element_shape, algebra.dtype)
+    integrals = read_functions("integrals", integrals, algebra)
     z = np.asarray(algebra.to_dual_vector(mu))
     size = float(np.abs(z).max())
     if size and not LIMITS.min_size <= size <= LIMITS.max_size:

@@ -9,6 +9,7 @@ import jax
 import jax.numpy as jnp
 
 from polhode._base.arrays import known_numbers_only
+from polhode.algebra._closures import take_apart
 from polhode.algebra._functions import check_scalar
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.se3 import SE3
@@ -44,7 +45,8 @@ class BodyInPotential(AbstractLiePoissonSystem):
     @known_numbers_only
     def __init__(self, moments: Real[ArrayLike, "3"], potential: Potential) -> None:
         check_scalar("potential", potential, (3,), jnp.float64)
-        self.algebra, self.moments, self.potential = SE3(), checked_moments(moments), potential
+        self.algebra, self.moments = SE3(), checked_moments(moments)
+        self.potential = take_apart(potential, jax.ShapeDtypeStruct((3,), jnp.float64))
 
     def energy(self, point: Float64[Array, "*batch 6"]) -> Float64[Array, "*batch"]:
         angular = point[..., :3]

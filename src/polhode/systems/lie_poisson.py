@@ -10,6 +10,7 @@ import jax.numpy as jnp
 
 from polhode._base import check
 from polhode._base.arrays import require_doubles
+from polhode.algebra._closures import take_apart
 from polhode.algebra._functions import Function, check_scalar
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput, shown
@@ -55,10 +56,11 @@ class LiePoisson(AbstractLiePoissonSystem):
             raise InvalidInput(f"`sign` must be −1 (left-invariant) or +1 (right-invariant); got {shown(sign)}.")
         check.instance("algebra", algebra, AbstractLieAlgebra, "one of polhode.algebra")
         check.instance("conserved", conserved, (dict, NoneType), "functions by name, {name: function}")
-        self.algebra, self.hamiltonian = algebra, hamiltonian
-        self.conserved, self.orientation = dict(conserved or {}), sign
-        for name, function in {"hamiltonian": hamiltonian, **self.conserved}.items():
+        for name, function in {"hamiltonian": hamiltonian, **(conserved or {})}.items():
             check_scalar(name, function, algebra.element_shape, algebra.dtype)
+        point = jax.ShapeDtypeStruct(algebra.element_shape, algebra.dtype)
+        self.algebra, self.hamiltonian, self.orientation = algebra, take_apart(hamiltonian, point), sign
+        self.conserved = {name: take_apart(function, point) for name, function in (conserved or {}).items()}
 
     @property
     def sign(self) -> int:

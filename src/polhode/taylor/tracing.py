@@ -18,7 +18,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode._base.arrays.by_numpy import BY_NUMPY, MOVES, by_numbers, factors
-from polhode._base.jaxprs import Call, Entry, Listing
+from polhode._base.jaxprs import NAMED, Call, Entry, Listing
 from polhode.taylor.elementary import (
     cube_root,
     eccentric_anomaly,
@@ -34,7 +34,6 @@ from polhode.types import Array
 
 Rule = Callable[[list[Array], Entry], list[Any]]
 RULES: dict[str, Rule] = {}
-NAMED = frozenset(("solve_kepler", "_whole_turns"))  # functions of polhode's own that have rules as operations have
 
 
 class TracingLimits(NamedTuple):
