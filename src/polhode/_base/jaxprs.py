@@ -11,7 +11,7 @@ Importing this file does not import JAX.
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, TypeVar
 
 from polhode.types import Array, Shaped
@@ -138,6 +138,11 @@ class Entry(NamedTuple):
     def made(self) -> list[Any]:
         """Shapes and types of the results."""
         return [variable.aval for variable in self.equation.outvars]
+
+    @property
+    def operation(self) -> Hashable:
+        """JAX's primitive, one object for all that do the same; names may be those of several."""
+        return self.equation.primitive
 
     def bind(self, values: Iterable[Any]) -> list[Any]:
         """Return the results that JAX computes of values."""
@@ -351,6 +356,11 @@ def numbers_within(closed: Any) -> Iterator[Shaped[Array, "..."]]:
             yield from (v.val for v in equation.invars if hasattr(v, "val"))
 
 
+def is_jaxpr(value: Any) -> bool:
+    """Return whether a parameter of an operation is a function that JAX has written down."""
+    return hasattr(value, "eqns")  # closed ones have them too
+
+
 def names_within(closed: Any) -> set[str]:
     """Return the names of all operations in a function and functions within it."""
     return {equation.primitive.name for jaxpr, _ in _all_within(closed) for equation in jaxpr.eqns}
@@ -368,7 +378,7 @@ def types_within(closed: Any) -> list[str]:
 
 def _all_within(value: Any) -> Iterator[tuple[Any, Any]]:
     """Yield a jaxpr and those that its operations hold, in whatever way, with their constants."""
-    if hasattr(value, "eqns"):  # closed ones have them too
+    if is_jaxpr(value):
         jaxpr, constants = _open(value)
         yield jaxpr, constants
         for equation in jaxpr.eqns:

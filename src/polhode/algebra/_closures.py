@@ -27,6 +27,7 @@ from polhode._base.jaxprs import (
     NoRule,
     Scan,
     While,
+    is_jaxpr,
     names_within,
 )
 from polhode.types import Array, Double, Float64
@@ -189,7 +190,7 @@ def _take(listing: Listing, taken: _Taken | None) -> tuple[_Body, Hashable]:
         if any(one.numbers or one.arrays or one.within for one, _ in parts):
             body.within[id(within)] = [one for one, _ in parts]
         given = {k: x for k, x in entry.parameters.items() if not (parts and _holds_jaxpr(x))}
-        entries.append((entry.equation.primitive, _parameter(given), entry.operands, entry.results,
+        entries.append((entry.operation, _parameter(given), entry.operands, entry.results,
                         tuple(key for _, key in parts)))  # fmt: skip
     return body, (tuple(listing.inputs), tuple(listing.outputs), tuple(kept), tuple(entries))
 
@@ -203,12 +204,12 @@ def _bodies(within: Any) -> tuple[Listing, ...]:
 
 
 def _holds_jaxpr(value: Any) -> bool:
-    return hasattr(value, "eqns") or (isinstance(value, tuple) and any(map(_holds_jaxpr, value)))
+    return is_jaxpr(value) or (isinstance(value, tuple) and any(map(_holds_jaxpr, value)))
 
 
 def _parameter(value: Any) -> Hashable:
     """Return what a parameter of an operation is compared by."""
-    if hasattr(value, "eqns"):
+    if is_jaxpr(value):
         return _take(Listing(value, NAMED), None)[1]
     if isinstance(value, dict):
         return tuple((name, _parameter(value[name])) for name in sorted(value))

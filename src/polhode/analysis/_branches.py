@@ -17,6 +17,7 @@ import equinox as eqx
 import jax
 import numpy as np
 
+from polhode.algebra._closures import take_apart
 from polhode.analysis._conserved import Energy, Source
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Complex128, Double, Float64
@@ -102,6 +103,14 @@ def _local(system: AbstractLiePoissonSystem, casimirs: Source, z: Array) -> _Loc
                   jax.jacfwd(jax.jacrev(casimirs))(z))
 
 
+_compute_local = eqx.filter_jit(_local)  # kept between families, as is what they call
+
+
+@eqx.filter_jit
+def _call(function: Callable[..., _Local], value: Array, z: Array) -> _Local:
+    return function(value, z)
+
+
 class Equations(NamedTuple):
     """The equations of an equilibrium, in units of their terms.
 
@@ -144,14 +153,12 @@ class Family:
         return np.asarray(self.algebra.from_dual_vector(vector))
 
     def _once_for_all(self, z: Array) -> Callable[[Any, Any], _Local]:
-        """Return the derivatives as a function of value and coordinates, compiled once if ``make`` can be traced."""
-        compiled = jax.jit(lambda value, x: _local(self._make(value), self._casimirs, x))
+        """Return the derivatives as a function of value and coordinates, traced once if ``make`` can be."""
         try:
-            compiled.lower(self.low, z)
+            family = take_apart(lambda value, x: _local(self._make(value), self._casimirs, x), np.zeros(()), z)
         except Exception:  # `make` wants a number, as it may; its own errors come again from below
-            each = eqx.filter_jit(_local)
-            return lambda value, x: each(self._make(float(value)), self._casimirs, x)
-        return compiled
+            return lambda value, x: _compute_local(self._make(float(value)), self._casimirs, x)
+        return lambda value, x: _call(family, np.asarray(value, float), x)
 
     def _at(self, z: Array, value: float) -> _Local:
         return _Local(*map(np.asarray, self._compiled(value, z)))
