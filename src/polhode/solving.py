@@ -98,8 +98,8 @@ def solve(
     sign, instead of storing the path: the memory does not grow with the steps between two times. Recovered states are
     compared with the motion every 64 steps at most, and computed again from checkpoints where it is off by more than 32
     ulps of its size. Second derivatives are forward ones of either mode. Those of diffrax's solvers go back from
-    checkpoints, and have first derivatives only. What a function encloses is not differentiated by: give parameters as
-    fields of a system or of an ``equinox.Module``. The exact flows of bodies with a potential have forward derivatives
+    checkpoints, and have first derivatives only. What a function encloses is not differentiated by, but in a
+    Hamiltonian of ``LiePoisson``: give parameters as fields of a system or of an ``equinox.Module``. The exact flows of bodies with a potential have forward derivatives
     only; ``LieMidpoint`` has both. Where rates jump with the state, as by a sign, derivatives leave out that the time
     of the jump moves, and are wrong; corners are right. ``analysis.monodromy`` has such jumps.
 

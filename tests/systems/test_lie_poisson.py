@@ -54,8 +54,8 @@ def move(hamiltonian):
     return ph.simulate(LiePoisson(lie.SO3(), hamiltonian), MOMENTUM, TIMES, order=2, step=0.01).states[-1]
 
 
-@pytest.mark.long_cases("as_bound")
-@pytest.mark.parametrize("made", [as_bound, as_module])
+@pytest.mark.long_cases("as_bound", "as_module")
+@pytest.mark.parametrize("made", [as_bound, as_module, as_closure])
 def test_parameters_are_data(made):
     ends, counts = [], []
     for moments in ((1.0, 2.0, 3.0), (1.0, 2.0, 2.5)):
@@ -65,17 +65,6 @@ def test_parameters_are_data(made):
         exact = ph.FreeMotion(moments, momentum=MOMENTUM).momentum(1.0)
         assert np.abs(ends[-1] - exact).max() < 1e-4
     assert counts == [1, 0]
-
-
-@pytest.mark.long
-def test_one_function_is_compiled_once_and_closures_each():
-    function = as_closure((1.0, 2.0, 3.0))
-    before = compiled()
-    move(function)
-    move(function)
-    assert compiled() == before + 1
-    move(as_closure((1.0, 2.0, 3.0)))
-    assert compiled() == before + 2
 
 
 def test_methods_can_be_jitted():

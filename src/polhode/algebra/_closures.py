@@ -136,7 +136,8 @@ def take_apart(function: Callable[..., Any], *arguments: Any) -> Callable[..., A
     """
     if not jax.tree_util.all_leaves([function]):
         return function
-    closed, results = jax.make_jaxpr(function, return_shape=True)(*arguments)
+    # by another name each time, as JAX keeps what it traced by the function, with the numbers that it had then
+    closed, results = jax.make_jaxpr(lambda *x: function(*x), return_shape=True)(*arguments)
     if not (CALLS - WRITTEN_OUT).isdisjoint(names_within(closed)):
         return function
     taken = _Taken([], [])
@@ -148,7 +149,7 @@ def take_apart(function: Callable[..., Any], *arguments: Any) -> Callable[..., A
         return function
     with jax.ensure_compile_time_eval():  # so that numbers are known, too, where other things are traced
         numbers = jnp.asarray(np.array(taken.numbers, float))
-        arrays = tuple(x if is_traced(x) else jnp.asarray(x) for x in taken.arrays)
+        arrays = tuple(x if is_traced(x) else jnp.asarray(np.array(x)) for x in taken.arrays)  # copies
     return Closure(numbers, arrays, code)
 
 
