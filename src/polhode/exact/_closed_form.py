@@ -88,8 +88,11 @@ class ClosedForm:
         return Kernels(**{name: loops[name] for name in Kernels._fields[:4]}, set_up=setup["set_up"],
                        set_up_one=setup["set_up_one"])
 
-    def _constant(self, module: str, name: str) -> int:
-        return getattr(importlib.import_module(f"{self._package}.{module}"), name)
+    @cached_property
+    def _sizes(self) -> tuple[int, int]:
+        """How many constants a motion has, and for how many bodies a thread is worth its start."""
+        formulas, setup = (importlib.import_module(f"{self._package}.{x}") for x in ("_formulas", "_kernel_setup"))
+        return formulas.COLUMNS, setup.WORTH
 
     def _is_worth(self, name: str, seconds: float) -> bool:
         """Return whether a compiled kernel is there, or worth it for work that takes Python so long."""
@@ -103,10 +106,14 @@ class ClosedForm:
 
     def columns(self, arguments: Vectors) -> Float64[np.ndarray, "columns *bodies"]:
         """Return the constants of the motions of bodies, arrays (…, k) that broadcast against each other."""
-        shape = np.broadcast_shapes(*(np.shape(v)[:-1] for v in arguments))
-        flat = [np.broadcast_to(v, (*shape, np.shape(v)[-1])).reshape(-1, np.shape(v)[-1]) for v in arguments]
+        shape: tuple[int, ...] = ()
+        if all(v.ndim == 1 for v in arguments):  # of one body, where broadcasting takes as long as the kernel
+            flat = [v[None] for v in arguments]
+        else:
+            shape = np.broadcast_shapes(*(np.shape(v)[:-1] for v in arguments))
+            flat = [np.broadcast_to(v, (*shape, np.shape(v)[-1])).reshape(-1, np.shape(v)[-1]) for v in arguments]
         count = math.prod(shape)
-        columns, left = np.empty((self._constant("_formulas", "COLUMNS"), count)), np.ones(count, bool)
+        columns, left = np.empty((self._sizes[0], count)), np.ones(count, bool)
         if self._is_worth("set_up", SET_UP * count):
             self._set_up_many(flat, columns, left)
         elif _is_for_numpy(SET_UP * count, ARRAY_SET_UP):
@@ -128,7 +135,7 @@ class ClosedForm:
         fill = lambda low, high: self._compiled.set_up(  # noqa: E731
             *(v[low:high] for v in inputs), columns, left[low:high], low  # whole, as parts of rows are strided
         )
-        in_threads(fill, len(left), self._constant("_kernel_setup", "WORTH"))
+        in_threads(fill, len(left), self._sizes[1])
 
     def _set_up_one(self, inputs: list[Array], k: int, columns: Array, left: Array) -> None:
         try:

@@ -94,6 +94,8 @@ def checked_last_axis(name: str, value: Float64[Array, "..."], size: int) -> Flo
 def common_shape(**named: Array) -> tuple[int, ...]:
     """Return the shape that arrays broadcast to; refuse those that do not."""
     shapes = {name: tuple(value.shape) for name, value in named.items()}
+    if len(alike := set(shapes.values())) == 1:
+        return alike.pop()
     try:
         return tuple(np.broadcast_shapes(*shapes.values()))
     except ValueError:
@@ -113,6 +115,8 @@ def checked(
     """Return moments, momentum and attitude as given; refuse bad concrete ones, turn bad traced ones to NaN."""
     for name, value, size in (("moments", moments, 3), ("momentum", momentum, 3), ("attitude", attitude, 4)):
         checked_last_axis(name, value, size)
+    if _is_one_fine(moments, momentum, attitude, epoch):
+        return moments, momentum, attitude
     common_shape(moments=moments[..., 0], momentum=momentum[..., 0], attitude=attitude[..., 0], epoch=epoch)
     if is_traced(moments, attitude, epoch):
         return compiled(_nan_where_bad, moments)(moments, momentum, attitude)
@@ -127,6 +131,23 @@ def _good(xp: Any, moments: Array, attitude: Array) -> tuple[Array, Array]:
     length = xp.sqrt((w * w + x * x) + (y * y + z * z))
     good = (moments > 0) & xp.isfinite(moments)
     return good[..., 0:1] & good[..., 1:2] & good[..., 2:3], xp.abs(length - 1.0) < ROTATION_LIMITS.max_length_error
+
+
+def _is_one_fine(moments: Array, momentum: Array, attitude: Array, epoch: Array) -> bool:
+    """Whether these are numbers of NumPy's for one body, and none is to be refused.
+
+    A motion is often made for one state only: in plain numbers looking at them takes a fifth of the time.
+    """
+    if not (moments.ndim == momentum.ndim == attitude.ndim == 1 and epoch.ndim == 0):
+        return False
+    if not all(type(x) is np.ndarray for x in (moments, momentum, attitude, epoch)):
+        return False
+    w, x, y, z = attitude.tolist()
+    length = math.sqrt((w * w + x * x) + (y * y + z * z))
+    return (
+        all(0.0 < x < math.inf for x in moments.tolist()) and all(map(math.isfinite, momentum.tolist()))
+        and math.isfinite(epoch.item()) and abs(length - 1.0) < ROTATION_LIMITS.max_length_error
+    )  # fmt: skip
 
 
 def _nan_where_bad(moments: Array, momentum: Array, attitude: Array) -> tuple[Array, Array, Array]:

@@ -292,7 +292,8 @@ class AbstractMotion(ExactMotion):
         vectors = (self.moments, self.momentum_at_epoch, self.attitude_at_epoch)
         numbers = (self.epoch, *(getattr(self, name) for name in self.body_numbers))
         turns = () if self.axes is None else np.shape(self.axes)[:-2]
-        return tuple(np.broadcast_shapes(*(np.shape(v)[:-1] for v in vectors), *map(np.shape, numbers), turns))
+        shapes = {turns, *(np.shape(v)[:-1] for v in vectors), *map(np.shape, numbers)}
+        return () if shapes == {()} else tuple(np.broadcast_shapes(*shapes))  # of one body in a loop the call counts
 
     @property
     def free_moments(self) -> Float64[Array, "... 3"] | None:

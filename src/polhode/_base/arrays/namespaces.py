@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable, Iterator
 from functools import cache
 from numbers import Rational
-from typing import Any, ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeGuard, TypeVar
 
 import numpy as np
 
@@ -142,6 +142,8 @@ def require_doubles(**named: Any) -> None:
     types are known. Lists are searched; None alone is an argument that was left out.
     """
     for name, value in named.items():
+        if _is_doubles(value):
+            continue
         if isinstance(value, list | tuple):
             for part in value:
                 if type(part) is not float:
@@ -157,6 +159,11 @@ def require_doubles(**named: Any) -> None:
             raise InvalidInput(f"`{name}` must be numbers; got {shown(value)}. {why}")
         elif isinstance(value, Rational) and not _has_double(value):
             raise InvalidInput(f"`{name}` must be at most {LARGEST:.2g}, as a double is; got {shown(value)}.")
+
+
+def _is_doubles(value: Any) -> TypeGuard[np.ndarray]:
+    """Return whether this is NumPy's array of doubles, which is quickly known; names of types take long to make."""
+    return type(value) is np.ndarray and value.dtype == np.float64
 
 
 def _has_double(value: Rational) -> bool:
@@ -183,12 +190,17 @@ def as_float64(xp: Any, value: ArrayLike, name: str) -> Float64[Array, "..."]:
         InvalidInput: if it is a float32 or complex array, or not numeric at all. Single precision cannot carry
             phases, so it is refused instead of silently widened.
     """
+    if xp is np and _is_doubles(value):
+        return value
     require_doubles(**{name: value})
     if "complex" in str(getattr(value, "dtype", "")):
         raise InvalidInput(f"`{name}` must be real; got {value.dtype}. Take its real part if that is meant.")
     try:
         native = _library(type(value)) != "numpy"
-        kind = "f" if native else np.asarray(value).dtype.kind
+        array = None if native else np.asarray(value)
+        if xp is np and _is_doubles(array):
+            return array
+        kind = "f" if array is None else array.dtype.kind
         if kind in "SUMm" or (kind == "O" and any(x is None for x in np.asarray(value).flat)):
             raise TypeError("text, dates and None are not numbers")
         if "jax" in str(getattr(xp, "__name__", "")):

@@ -10,7 +10,12 @@ import numpy as np
 from polhode._base.arrays import Elementwise, is_jax, namespace, stack_last
 from polhode.exact._blocks import Constants, Vectors, columns_in_blocks, in_blocks, units
 from polhode.exact._closed_form import ClosedForm
+from polhode.exact.free_body import _formulas_numbers as formulas_numbers
+from polhode.exact.free_body import _formulas_rates as formulas_rates
+from polhode.exact.free_body import _formulas_reduction as formulas_reduction
 from polhode.exact.free_body import _geometry as geometry
+from polhode.exact.free_body import _kernel_setup as kernel_setup
+from polhode.exact.free_body._formulas_reduction import Three
 from polhode.types import Array, Float64
 
 IDENTITY = np.asarray([1.0, 0.0, 0.0, 0.0])
@@ -37,7 +42,30 @@ def characteristics(
     moments: Float64[Array, "*#batch 3"], momentum: Float64[Array, "*#batch 3"]
 ) -> geometry.Characteristics:
     """Return the numbers of the motion for arrays (…, 3)."""
+    if type(moments) is type(momentum) is np.ndarray and moments.ndim == momentum.ndim == 1:
+        one = _numbers_of_one(tuple(moments.tolist()), tuple(momentum.tolist()))
+        if one is not None:
+            return one
     return geometry.Characteristics(*_NUMBERS(moments, momentum))
+
+
+def _numbers_of_one(moments: Three, momentum: Three) -> geometry.Characteristics | None:
+    """Return the numbers of one body by the formulas on single numbers, a tenth of the time that arrays take.
+
+    None for bodies that the kernels leave to arrays, where numbers go beyond doubles.
+    """
+    if not kernel_setup.is_within(moments, momentum):
+        return None
+    try:
+        body = formulas_reduction.reduction(moments, momentum)
+        if not kernel_setup.has_period(body):
+            return None
+        numbers = formulas_numbers.numbers(body, formulas_rates.frequencies(body))
+    except (ArithmeticError, ValueError):
+        return None
+    # NumPy's numbers, which go beyond doubles without an error, as those of arrays do
+    codes, others = (np.asarray(int(code)) for code in numbers[:2]), (np.float64(x) for x in numbers[2:])
+    return geometry.Characteristics(*codes, *others)  # type: ignore[arg-type]
 
 
 def state(

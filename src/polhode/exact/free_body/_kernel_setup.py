@@ -81,7 +81,7 @@ _, BEGUN, MEAN, TOTAL, EXPONENT, RATES, AT, ANGLES, ATTITUDE, ROWS = rows_of(
 # ---------------------------------------------------------------------- which bodies the kernels take, and one of them
 
 
-def _is_within(moments: Three, momentum: Three) -> bool:
+def is_within(moments: Three, momentum: Three) -> bool:
     """Return whether no number of a body is too large, too small, or too far from the others."""
     a, b, c = moments
     x, y, z = abs(momentum[0]), abs(momentum[1]), abs(momentum[2])
@@ -92,17 +92,17 @@ def _is_within(moments: Three, momentum: Three) -> bool:
     return within and near and min(min(a, b), c) >= SPREAD * largest
 
 
-def _has_period(body: Reduction) -> bool:
+def has_period(body: Reduction) -> bool:
     x, _, z = body.canonical
     return body.B[0] * body.Q[0] > 0.0 and body.P[0] > 0.0 and body.S[0] != 0.0 and (x != 0.0 or z != 0.0)
 
 
 def set_up_one(moments: Three, momentum: Three, attitude: Four) -> Motion | None:
     """Return the constants of motion of one body, or None for one that is left to NumPy."""
-    if not _is_within(moments, momentum):
+    if not is_within(moments, momentum):
         return None
     body = reduction(moments, momentum)
-    if not _has_period(body):
+    if not has_period(body):
         return None
     return motion_of(Given(moments, momentum, attitude, body, frequencies(body)))
 
@@ -115,7 +115,7 @@ def _load(moments: Any, momentum: Any, w: Any, within: Any) -> None:
     for i in range(len(moments)):
         of_moments = moments[i, 0], moments[i, 1], moments[i, 2]
         of_momentum = momentum[i, 0], momentum[i, 1], momentum[i, 2]
-        within[i] = _is_within(of_moments, of_momentum)
+        within[i] = is_within(of_moments, of_momentum)
         put_record(w, SCALED + i, scaled(of_moments, of_momentum))
 
 
@@ -159,7 +159,7 @@ def _begin(moments: Any, momentum: Any, begun: Any, w: Any, place: Any) -> tuple
     full, back = 0, count
     for i in range(count):
         body = load(begun, BODY + i, Reduction)
-        if not (within[i] and _has_period(body)):
+        if not (within[i] and has_period(body)):
             continue
         if is_full(body):
             place[full] = i

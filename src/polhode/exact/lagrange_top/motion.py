@@ -197,6 +197,9 @@ class LagrangeMotion(AbstractMotion, Generic[Answer]):
     def fastest_rate(self) -> Float64[Array, "*batch"]:
         """(…) about how fast the tops turn [rad/s]: components of Ω, and the rate of small swings."""
         momentum, moments, mgl = known(self._principal[0], self.moments, self.mgl)
+        if momentum.ndim == moments.ndim == 1 and mgl.ndim == 0 and not is_traced(momentum, moments, mgl):
+            (x, y, z), (a, b, c) = momentum.tolist(), moments.tolist()
+            return np.float64(max(abs(x / a), abs(y / b), abs(z / c)) + math.sqrt(abs(float(mgl)) / a))  # type: ignore[return-value]
         xp = namespace(momentum, moments, mgl)
         x, y, z = (xp.abs(momentum[..., k] / moments[..., k]) for k in range(3))  # NumPy is slow along short axes
         return xp.maximum(xp.maximum(x, y), z) + xp.sqrt(xp.abs(mgl) / moments[..., 0])
@@ -305,6 +308,8 @@ class LagrangeMotion(AbstractMotion, Generic[Answer]):
 
 
 def _checked_symmetry(xp: Any, moments: Array) -> Array:
+    if type(moments) is np.ndarray and moments.ndim == 1 and moments[0] == moments[1]:
+        return moments.copy()
     equal = (moments[..., 0] == moments[..., 1])[..., None]
     if known_false(xp.all(equal | xp.isnan(moments[..., :1]))):
         bad = np.asarray(moments)[~np.asarray(equal)[..., 0]][0]
