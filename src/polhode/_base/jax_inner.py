@@ -14,6 +14,15 @@ from jax.interpreters import batching as batching
 from jax.interpreters import mlir as mlir
 
 try:
+    from jax._src.core import EvalTrace, trace_ctx
+except ImportError:  # then an operation shows whether JAX traces now
+    EvalTrace = trace_ctx = None
+try:
     from jax._src import compilation_cache as compilation_cache
 except ImportError:  # then nothing that JAX compiles is kept
     compilation_cache = None
+
+
+def evaluates_at_once() -> bool:
+    """Return whether JAX is known to compute operations on known numbers now; where it is not, it may trace them."""
+    return trace_ctx is not None and type(trace_ctx.trace) is EvalTrace

@@ -11,7 +11,9 @@ from __future__ import annotations
 import abc
 import math
 from functools import cached_property, partial
-from typing import Any
+from types import MethodType
+from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary
 
 import equinox as eqx
 import jax
@@ -29,8 +31,57 @@ Vector = Float64[Array, "*batch {self.dim}"]
 Operand = Float64[Array, "*#batch {self.dim}"]
 
 
+_methods: WeakKeyDictionary[Any, tuple[type, dict[str, Any]]] = WeakKeyDictionary()
+
+
+def _without_self(method: Any) -> tuple[type, dict[str, Any]]:
+    """Return the class of a method that is a pytree, and its fields but function and object, which are not kept."""
+    return type(method), {name: x for name, x in vars(method).items() if name not in ("__func__", "__self__")}
+
+
+def _are_plainly_equal(one: Any, other: Any) -> bool:
+    """Return whether modules are of one class, of equal parts and numbers, without an operation of JAX for each array.
+
+    Where they are not, Equinox compares them. Machines of a system are found by one that is equal.
+    """
+    if type(one) is not type(other):
+        return False
+    (leaves, tree), (others, other_tree) = jax.tree.flatten(one), jax.tree.flatten(other)
+    return tree == other_tree and all(
+        _is_known(x) and _is_known(y) and x.dtype == y.dtype and np.array_equal(np.asarray(x), np.asarray(y))
+        for x, y in zip(leaves, others, strict=True)
+    )
+
+
+def _is_known(leaf: Any) -> bool:
+    return eqx.is_array(leaf) and not is_traced(leaf)
+
+
 class HashableModule(eqx.Module):
     """A module whose hash is that of its contents, arrays included, so that ``jax.jit`` takes its methods."""
+
+    def __eq__(self, other: object, /) -> Any:
+        return _are_plainly_equal(self, other) or super().__eq__(other)
+
+    if not TYPE_CHECKING:
+
+        def __getattribute__(self, name: str) -> Any:
+            """Return an attribute; methods are pytrees as Equinox has them, copies of the first, which it makes slowly.
+
+            A short motion asks for some three hundred methods: making each anew took a third of its time.
+            """
+            value = object.__getattribute__(self, name)
+            if type(value) is not MethodType or value.__self__ is not self or name.startswith("__"):
+                return value
+            known = _methods.get(value.__func__)
+            if known is None:
+                known = super().__getattribute__(name)
+                _methods[value.__func__] = _without_self(known)
+                return known
+            kind, fields = known
+            method = object.__new__(kind)
+            object.__getattribute__(method, "__dict__").update(fields, __func__=value.__func__, __self__=self)
+            return method
 
     def __hash__(self) -> int:
         leaves, structure = jax.tree.flatten(self)

@@ -72,7 +72,7 @@ def depends_on_time(system: AbstractSystem, state: Double[Array, "..."]) -> bool
 
     Systems of equal parts and shapes are checked once.
     """
-    shape = jax.ShapeDtypeStruct(jnp.shape(state), jnp.result_type(state))
+    shape = jax.ShapeDtypeStruct(np.shape(state), state.dtype)
     leaves, tree = jax.tree.flatten(system)
     key = (type(system), tree, shape, *((x.shape, x.dtype) if eqx.is_array(x) else x for x in leaves))
     systems_kept = 256
@@ -112,6 +112,8 @@ def find_undeclared_jumps(
         return np.zeros(0)
     copies = np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))
     ends = np.asarray(times, dtype=float)[[0, -1]]
+    if not depends_on_time(system, copies[0]):  # most systems, of which not even copies need be chosen
+        return _without_named(system, ends, np.zeros(0))
     chosen = _choose_copies(len(copies))
     jumps = _together(ends, [_changes(system, copies[[k]], ends, trials) for k, trials in chosen], warned=True)
     return _without_named(system, ends, jumps)
@@ -178,7 +180,7 @@ def _changes(
 
     Where there are too many such places it is their number.
     """
-    if not depends_on_time(system, jnp.asarray(states[0])):
+    if not depends_on_time(system, states[0]):
         return np.zeros(0)
     spans = len(times) - 1
     each = int(np.clip(min(LIMITS.max_values // max(np.size(states[0]), 1), trials) // spans, 2, LIMITS.trials))

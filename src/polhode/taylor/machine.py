@@ -8,14 +8,13 @@ from functools import lru_cache
 from itertools import chain
 from typing import Any, NamedTuple
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 
 from polhode._base.arrays import in_jax_numpy
 from polhode._base.arrays.traced_checks import check_traced
-from polhode._base.jaxprs import depends_on
+from polhode._base.jaxprs import Listing, depends_on
 from polhode.systems._forms import distances, rates_of_change
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
 from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
@@ -24,7 +23,7 @@ from polhode.taylor.operations import Operation
 from polhode.taylor.program import Program, make_program
 from polhode.taylor.sides import Branches, Sides, Signs
 from polhode.taylor.structure import Structure, itself, take_structure
-from polhode.taylor.tracing import evaluate, keep_numbers
+from polhode.taylor.tracing import evaluate, keep_numbers, list_operations
 from polhode.types import Array, Double, Float64
 
 TRACING = (jax.errors.ConcretizationTypeError, jax.errors.TracerArrayConversionError,
@@ -190,12 +189,14 @@ class _Written(NamedTuple):
 
     Attributes:
         closed: of JAX: rates, those of balances, watched functions.
+        listing: its operations.
         balances: names.
         timed: whether any of it uses the time.
         operations: about how many, on moving values.
     """
 
     closed: Any
+    listing: Listing
     balances: tuple[str, ...]
     timed: bool
     operations: int
@@ -239,7 +240,8 @@ def _write_programs(structure: Structure, form: Form, through: Event | None) -> 
 
     closed = write_jaxpr(everything, (), (form.size,), (structure.size,))
     check_traced("a function of the system, or what is looked for along its motion,", closed)
-    return _Written(closed, tuple(balances), depends_on(closed, 0), operations_on(closed, (0, 1)))
+    uses_time, count = depends_on(closed, 0), operations_on(closed, (0, 1))
+    return _Written(closed, list_operations(closed), tuple(balances), uses_time, count)
 
 
 def _make_machine(
@@ -296,7 +298,7 @@ def _make_tape(
     known[:] = tape.state()
     t = np.asarray(known[size - 1] if written.timed else 0.0, object if written.timed else float)
     with keep_numbers(tape):
-        outputs = evaluate(written.closed, t, known[: form.size], numbers if kept is None else known[size:first])
+        outputs = evaluate(written.listing, t, known[: form.size], numbers if kept is None else known[size:first])
     parts = [[tape_value(tape, x) for x in np.ravel(part)] for part in outputs]
     rates, watched = parts[: 1 + len(written.balances)], parts[1 + len(written.balances) :]
     return tape, [*chain(*rates), *([tape.constant(1.0)] if written.timed else [])], [*chain(*watched)]
@@ -338,11 +340,11 @@ def _integrals(system: AbstractSystem, form: Form) -> tuple[tuple[str, ...], Pro
     """
     of_copies = frozenset(name for name, quantity in system.quantities.items() if quantity.of_copies)
     carries_attitude = isinstance(system, AbstractLiePoissonSystem) and _carries_attitude(system, form)
-    (closed, places), numbers = _of_any_numbers(_write_conserved, system, form, of_copies, carries_attitude)
+    (listing, places), numbers = _of_any_numbers(_write_conserved, system, form, of_copies, carries_attitude)
     try:
-        names, tape, rows = _gradients(form, closed, [dict(sorted(places.items()))], numbers)
+        names, tape, rows = _gradients(form, listing, [dict(sorted(places.items()))], numbers)
     except _Full:
-        names, tape, rows = _gradients(form, closed, [{name: place} for name, place in places.items()], numbers)
+        names, tape, rows = _gradients(form, listing, [{name: place} for name, place in places.items()], numbers)
     outputs = [value for value, _ in rows] + [x for _, slopes in rows for x in slopes]
     return tuple(names), make_program(tape, outputs)
 
@@ -352,7 +354,7 @@ class _Full(Exception):
 
 
 def _gradients(
-    form: Form, closed: Any, groups: Sequence[dict[str, int]], numbers: Array
+    form: Form, listing: Listing, groups: Sequence[dict[str, int]], numbers: Array
 ) -> tuple[list[str], Tape, list[tuple[Expression, list[Expression]]]]:
     """Return names, the tape, and values with their gradients on it: of one group after the other until it is full.
 
@@ -364,7 +366,7 @@ def _gradients(
     state = np.empty(form.size, object)
     state[:] = tape.state()
     for places in groups:
-        evaluated = _evaluate_if_possible(closed, places, state, numbers)
+        evaluated = _evaluate_if_possible(listing, places, state, numbers)
         values = [(name, tape_value(tape, x)) for name, array in evaluated.items() for x in np.ravel(array)]
         try:
             rows.extend([(value, gradient(value)) for _, value in values])
@@ -376,20 +378,20 @@ def _gradients(
     return names, tape, rows
 
 
-def _evaluate_if_possible(closed: Any, places: dict[str, int], state: Array, numbers: Array) -> dict[str, Array]:
+def _evaluate_if_possible(listing: Listing, places: dict[str, int], state: Array, numbers: Array) -> dict[str, Array]:
     """Return those named values of a jaxpr that have recurrences; all at once takes the least time."""
     try:
-        return dict(zip(places, evaluate(closed, state, numbers, places=list(places.values())), strict=True))
+        return dict(zip(places, evaluate(listing, state, numbers, places=list(places.values())), strict=True))
     except Untraceable:
         each = places.items() if len(places) > 1 else ()
-        alone = [_evaluate_if_possible(closed, {name: place}, state, numbers) for name, place in each]
+        alone = [_evaluate_if_possible(listing, {name: place}, state, numbers) for name, place in each]
         return {name: value for values in alone for name, value in values.items()}
 
 
 def _write_conserved(
     structure: Structure, form: Form, of_copies: frozenset[str], carries_attitude: bool
-) -> tuple[Any, dict[str, int]]:
-    """Return a jaxpr of the real numbers of state and system, and the places of conserved quantities in it.
+) -> tuple[Listing, dict[str, int]]:
+    """Return a listing of functions of state and system, and the places of conserved quantities in it.
 
     Vectors are left out, unless they hold one number for each copy (``of_copies``), and so are quantities with too many
     gradients, the last that the system names first.
@@ -415,10 +417,10 @@ def _write_conserved(
         if fits and (is_number or name in of_copies):
             places[name] = at[name]
             count += size
-    return closed, places
+    return list_operations(closed), places
 
 
 def _carries_attitude(system: AbstractLiePoissonSystem, form: Form) -> bool:
     if form.is_complex or len(form.shape) != 1:
         return False
-    return eqx.filter_eval_shape(system.parts, jax.ShapeDtypeStruct(form.shape, float)).attitude is not None
+    return system.parts(np.zeros(form.shape)).attitude is not None

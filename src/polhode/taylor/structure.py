@@ -14,32 +14,34 @@ import numpy as np
 from polhode.systems.base import AbstractSystem
 from polhode.types import Array, Float64
 
+NUMBERS: Any = object()
+"""What stands for an array of real numbers."""
+
 
 class Structure:
     """A system without its numbers; two are equal if their systems differ by these alone.
 
     Attributes:
         key: by which structures are compared.
-        rest: the system without the real numbers in its arrays.
-        form: of the tree of these arrays.
+        rest: the leaves of the system, with ``NUMBERS`` in place of arrays of real numbers.
+        form: of its tree.
         shapes: of these arrays.
         size: how many numbers there are.
     """
 
-    def __init__(self, key: Hashable, rest: Any, form: Any, shapes: tuple[tuple[int, ...], ...]) -> None:
+    def __init__(self, key: Hashable, rest: list[Any], form: Any, shapes: tuple[tuple[int, ...], ...]) -> None:
         self.key, self.rest, self.form, self.shapes = key, rest, form, shapes
         self.size = sum(map(math.prod, shapes))
 
     def with_numbers(self, numbers: Any) -> AbstractSystem:
         """Return the system with these numbers (size,), which may be traced."""
-        if not self.shapes:
-            return self.rest
-        parts, place = [], 0
-        for shape in self.shapes:
-            count = math.prod(shape)
-            parts.append(jnp.reshape(numbers[place : place + count], shape))
-            place += count
-        return eqx.combine(jax.tree.unflatten(self.form, parts), self.rest)
+        leaves, place, shapes = list(self.rest), 0, iter(self.shapes)
+        for k, leaf in enumerate(leaves):
+            if leaf is NUMBERS:
+                shape = next(shapes)
+                leaves[k] = jnp.reshape(numbers[place : place + math.prod(shape)], shape)
+                place += math.prod(shape)
+        return jax.tree.unflatten(self.form, leaves)
 
     def __hash__(self) -> int:
         return hash(self.key)
@@ -54,14 +56,21 @@ def split_numbers(system: AbstractSystem) -> tuple[Structure, list[Float64[Array
     Raises:
         TypeError: if it has parts that cannot be hashed.
     """
-    arrays, rest = eqx.partition(system, lambda x: eqx.is_inexact_array(x) and not jnp.iscomplexobj(x))
-    leaves, form = jax.tree.flatten(arrays)
-    others, rest_form = jax.tree.flatten(rest)
-    known = tuple((x.shape, np.asarray(x).tobytes()) if hasattr(x, "shape") else x for x in others)
-    shapes = tuple(np.shape(x) for x in leaves)
-    key = type(system), rest_form, known, form, shapes, tuple(str(x.dtype) for x in leaves)
+    leaves, form = jax.tree.flatten(system)
+    # in one pass, as every run of a system asks for it
+    arrays, rest, known = [], [], []
+    for leaf in leaves:
+        kind: Any = getattr(leaf, "dtype", None)
+        if eqx.is_inexact_array(leaf) and not jnp.issubdtype(kind, np.complexfloating):
+            arrays.append(leaf)
+            rest.append(NUMBERS)
+            known.append((NUMBERS, np.shape(leaf), kind))
+        else:
+            rest.append(leaf)
+            known.append((leaf.shape, np.asarray(leaf).tobytes()) if hasattr(leaf, "shape") else leaf)
+    key = type(system), form, tuple(known)
     hash(key)
-    return Structure(key, rest, form, shapes), leaves
+    return Structure(key, rest, form, tuple(np.shape(x) for x in arrays)), arrays
 
 
 def take_structure(system: AbstractSystem) -> tuple[Structure, Float64[Array, "numbers"]]:
@@ -82,4 +91,4 @@ def itself(system: AbstractSystem) -> tuple[Structure, Float64[Array, "numbers"]
         key: Hashable = system
     except TypeError:
         key = object()
-    return Structure(("itself", key), system, None, ()), np.zeros(0)
+    return Structure(("itself", key), [system], jax.tree.structure(0), ()), np.zeros(0)

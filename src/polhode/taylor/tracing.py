@@ -62,13 +62,18 @@ def keep_numbers(tape: Tape) -> Iterator[None]:
         _keeping.reset(token)
 
 
+def list_operations(closed: Any) -> Listing:
+    """Return the operations of a jaxpr, for one that is evaluated again and again."""
+    return Listing(closed, NAMED)
+
+
 def evaluate(
     closed: Any, *arguments: Array, places: Sequence[int] | None = None, read: Callable[[Any], Any] = np.asarray
 ) -> list[Any]:
     """Return the values of a jaxpr: all, or those at some places, with those that these need.
 
     Args:
-        closed: of a function of real arrays.
+        closed: of a function of real arrays, or its operations as ``list_operations`` gives them.
         arguments: arrays of expressions (dtype object), or of numbers.
         places: of the values that are wanted.
         read: a constant in the function → an array of expressions or of numbers.
@@ -79,7 +84,8 @@ def evaluate(
     Raises:
         Untraceable: if they are not made of operations that have a recurrence.
     """
-    listing = Listing(closed, NAMED).only(places).with_constants(read)
+    whole = closed if isinstance(closed, Listing) else list_operations(closed)
+    listing = whole.only(places).with_constants(read)
     return _run(listing, [np.asarray(a) for a in arguments])
 
 

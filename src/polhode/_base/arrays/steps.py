@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -13,12 +14,14 @@ from polhode.types import Array, Shaped
 
 
 class StepLimits(NamedTuple):
-    """A number that decides whether a loop is compiled."""
+    """Numbers that decide whether a loop is compiled, and whether numbers are copied."""
 
     max_operations: int = 20_000  # of a loop; with more, compiling it takes less time
+    max_copied: int = 1_000  # numbers that are copied where a view would do; of more the copying counts
 
 
 LIMITS = StepLimits()
+Compute = Callable[[list[Array], Any], Any]
 
 
 class Step(NamedTuple):
@@ -98,6 +101,8 @@ def _make_step(entry: Entry) -> Step:
     """Return the step of an operation."""
     make = LOOPS.get(type(entry.within))
     compute = entry.rule(BY_NUMPY, "numbers") if make is None else make(entry.within)
+    if make is None and entry.name in OF_KNOWN_SHAPES:
+        compute = OF_KNOWN_SHAPES[entry.name](entry) or compute
     types = tuple(kind.dtype for kind in entry.made)
     return Step(compute, entry.parameters, entry.operands, entry.results, types)
 
@@ -125,6 +130,58 @@ def _branch(branches: Branches) -> Callable[[list[Array], Any], list[Any]]:
     each = [Steps(branch) for branch in branches.each]
     return lambda x, p: each[branches.place(x[0])](x[1:])
 
+
+# ---------------------------------------------------------------------- operations whose shapes are known beforehand
+
+
+def _spread(entry: Entry) -> Compute | None:
+    """Return ``broadcast_in_dim`` into a new array, which of few numbers takes a third of the time of a view."""
+    (given,), p = entry.given, entry.parameters
+    target, before = tuple(p["shape"]), [1] * len(p["shape"])
+    for size, axis in zip(given.shape, p["broadcast_dimensions"], strict=True):
+        before[axis] = size
+    if tuple(before) == target:
+        return lambda x, p: x[0].reshape(target)
+    if math.prod(target) > LIMITS.max_copied:
+        return None
+
+    def compute(x: list[Array], p: Any) -> Array:
+        made = np.empty(target, x[0].dtype)
+        made[...] = x[0].reshape(before)
+        return made
+
+    return compute
+
+
+def _slice(entry: Entry) -> Compute:
+    p = entry.parameters
+    strides = p["strides"] or [1] * len(p["start_indices"])
+    where = tuple(slice(*each) for each in zip(p["start_indices"], p["limit_indices"], strides, strict=True))
+    return lambda x, p: x[0][where]
+
+
+def _squeeze(entry: Entry) -> Compute:
+    shape = entry.made[0].shape
+    return lambda x, p: x[0].reshape(shape)
+
+
+def _along_last(reduce: Callable[..., Any]) -> Callable[[Entry], Compute | None]:
+    """Return reductions along the last axis, the rows of which need not be brought together."""
+
+    def make(entry: Entry) -> Compute | None:
+        (given,) = entry.given
+        if tuple(entry.parameters["axes"]) != (given.ndim - 1,):
+            return None
+        return lambda x, p: reduce(np.ascontiguousarray(x[0]), -1)
+
+    return make
+
+
+OF_KNOWN_SHAPES: dict[str, Callable[[Entry], Compute | None]] = {
+    "broadcast_in_dim": _spread, "slice": _slice, "squeeze": _squeeze, "expand_dims": _squeeze,
+    "reduce_sum": _along_last(np.add.reduce), "reduce_max": _along_last(np.maximum.reduce),
+}  # fmt: skip
+"""Rules that find out beforehand what those of ``BY_NUMPY`` find out at every call; None leaves it to these."""
 
 LOOPS: dict[Any, Callable[[Any], Callable[[list[Array], Any], list[Any]]]] = {
     Scan: _scan, While: _while, Branches: _branch,
