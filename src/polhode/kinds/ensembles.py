@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+
+import numpy as np
+from pydantic import BaseModel
 
 from polhode.types import Array, Float64
 
 if TYPE_CHECKING:
     from polhode.kinds.base import Spec
+
+TableT = TypeVar("TableT", bound=BaseModel | None)
 
 
 class Bodies(NamedTuple):
@@ -53,7 +58,35 @@ class Ensemble(NamedTuple):
         values: name of an answer, as the JSON has it → values (sample, …), NaN where it is not defined; of
             ``states.`` and a part of the state, (sample, time, …).
         refused: sample → why there is no such motion.
+        lost: sample → why its motion could not be followed.
     """
 
     values: dict[str, Any]
     refused: dict[int, str]
+    lost: dict[int, str] = {}  # noqa: RUF012
+
+
+def vary_table(table: TableT, name: str, varied: Mapping[str, Any], count: int) -> TableT:
+    """Return a spec's table with arrays (sample, …) where its numbers are varied, whole or by components.
+
+    Args:
+        table: of one sample; None stays.
+        name: of the table in keys.
+        varied: key → values (sample, …), those of other tables among them.
+        count: how many samples there are.
+    """
+    if table is None:
+        return table
+    whole: dict[str, Any] = {}
+    for key, values in varied.items():
+        first, _, rest = key.partition(".")
+        field, _, place = rest.partition(".")
+        if first != name:
+            continue
+        if place:
+            base = whole.get(field, np.tile(np.asarray(getattr(table, field), dtype=float), (count, 1)))
+            base[:, int(place) - 1] = values
+            whole[field] = base
+        else:
+            whole[field] = values
+    return table.model_copy(update=whole)

@@ -205,17 +205,20 @@ class Evaluator:
         return spec.kind.ensemble(samples, list(dict.fromkeys(names)), times)
 
     def _together(self, inputs: dict[str, Any]) -> tuple[dict[str, Any], dict[int, str], dict[int, str]]:
-        refused = self._impossible(inputs, 0, len(next(iter(inputs.values()))))
-        if refused:
+        refused: dict[int, str] = {}
+        try:
+            ensemble = self._ensemble(inputs)
+        except InvalidInput:
+            refused = self._impossible(inputs, 0, len(next(iter(inputs.values()))))
             # a possible sample replaces impossible ones: the others are then computed with equal bits
             number = self._probe[2]
             good, wrong = self.draw_inputs(number, number + 1), list(refused)
             inputs = {key: np.array(values) for key, values in inputs.items()}
             for key, values in inputs.items():
                 values[wrong] = good[key][0]
-        ensemble = self._ensemble(inputs)
+            ensemble = self._ensemble(inputs)
         assert ensemble is not None
-        return ensemble.values, ensemble.refused | refused, {}
+        return ensemble.values, ensemble.refused | refused, ensemble.lost
 
     def _impossible(self, inputs: dict[str, Any], low: int, high: int) -> dict[int, str]:
         """Find by bisection the samples that make a joint computation fail, and why."""

@@ -12,11 +12,10 @@ import numpy as np
 from polhode.analysis.cone import rotation_forms
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.free_body._geometry import REGIMES
-from polhode.kinds.ensembles import Ensemble, ManySpecs
+from polhode.kinds.ensembles import Ensemble, ManySpecs, vary_table
 from polhode.kinds.free_body.answers import LIMITS
 from polhode.motion._invariants import norm
 from polhode.spec.building import build_spin
-from polhode.spec.models import SpinTable
 
 STATES = "states."
 
@@ -133,12 +132,11 @@ PARTS = ("attitude", "momentum", "angular_velocity")
 def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> Ensemble | None:
     """Return the answers as ``AbstractKind.ensemble`` does; None for answers that need a report on each."""
     spec, varied, bodies, count = samples.spec, samples.varied, samples.bodies, samples.size
-    spins = {key.removeprefix("spin."): values for key, values in varied.items() if key.startswith("spin.")}
     known = {*NUMBERS, *(STATES + part for part in PARTS)}
     coning = spec.spin is not None and spec.spin.is_of_a_cone
-    if bodies is None or coning or not set(names) <= known or len(spins) + _of_body(varied) < len(varied):
+    if bodies is None or coning or not set(names) <= known or not all(key.startswith(("spin.", "body.")) for key in varied):
         return None
-    momentum, attitude = build_spin(_vary_spin(spec.spin, spins, count), bodies.moments, bodies.axes)
+    momentum, attitude = build_spin(vary_table(spec.spin, "spin", varied, count), bodies.moments, bodies.axes)
     momentum = np.array(np.broadcast_to(momentum, (count, 3)), dtype=float)
     moments, refused = np.array(np.broadcast_to(bodies.moments, (count, 3))), dict(bodies.refused)
     _refuse(moments, momentum, refused)
@@ -148,26 +146,6 @@ def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> E
     with np.errstate(all="ignore"):
         values = {name: NUMBERS[name](free_bodies) for name in names if name in NUMBERS}
     return Ensemble(values | _states(free_bodies, names, times), refused)
-
-
-def _of_body(varied: Mapping[str, Any]) -> int:
-    return sum(key.startswith("body.") for key in varied)
-
-
-def _vary_spin(table: SpinTable | None, spins: Mapping[str, Any], count: int) -> SpinTable | None:
-    """Return the table [spin] with arrays where it is varied, whole or by components."""
-    if table is None:
-        return None
-    whole: dict[str, Any] = {}
-    for key, values in spins.items():
-        name, _, place = key.partition(".")
-        if place:
-            base = whole.get(name, np.tile(np.asarray(getattr(table, name), dtype=float), (count, 1)))
-            base[:, int(place) - 1] = values
-            whole[name] = base
-        else:
-            whole[name] = values
-    return table.model_copy(update=whole)
 
 
 def _refuse(moments: Any, momentum: Any, refused: dict[int, str]) -> None:
