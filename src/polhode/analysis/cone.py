@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode._base.arrays import known_numbers_only
-from polhode.analysis.poinsot import herpolhode
+from polhode.analysis.poinsot import herpolhodes
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.free_body._geometry import REGIMES
 from polhode.exact.free_body._preparation import canonical_reduction
@@ -48,21 +48,28 @@ def axis_angles(motion: FreeMotion) -> Float64[np.ndarray, "3 2"] | None:
     >>> np.degrees(axis_angles(coning)).round(6).tolist()
     [[45.0, 135.0], [45.0, 135.0], [45.0, 45.0]]
     """
-    momentum = np.asarray(motion.along("principal").momentum_at_epoch)
-    if not motion.momentum_norm:
-        return None
-    if motion.encircled_axis is None or motion.regime in ("permanent", "spherical", "separatrix"):
-        return _angles_without_period(motion, momentum)
-    nearest, farthest = _cone(motion, momentum)
-    axis = motion.encircled_axis
-    angles = np.empty((3, 2))
-    angles[axis] = (nearest, farthest) if momentum[axis] > 0.0 else (math.pi - farthest, math.pi - nearest)
-    others = [k for k in range(3) if k != axis]
-    middle = int(np.argsort(motion.moments, kind="stable")[1])
-    for k in others:
-        # of a symmetric body both run as far, and of others the middle one comes closer to L
-        least = RIGHT - (farthest if k == middle else nearest)
-        angles[k] = least, math.pi - least
+    return many_axis_angles(motion) if motion.momentum_norm else None
+
+
+@known_numbers_only
+def many_axis_angles(motion: FreeMotion) -> Float64[np.ndarray, "*batch 3 2"]:
+    """Return the angles (…, 3, 2) of many motions at once, as ``axis_angles`` does of one; NaN at rest."""
+    moments, momentum, codes = _of_many(motion)
+    axis = np.asarray(-1 if motion.encircled_axis is None else motion.encircled_axis)
+    nearest, farthest = _cones(moments, momentum)
+    middle, angles = np.argsort(moments, axis=-1, kind="stable")[..., 1], np.empty((*momentum.shape, 2))
+    for k in range(3):
+        # of a symmetric body both others run as far, and of others the middle one comes closer to L
+        least = RIGHT - np.where(middle == k, farthest, nearest)
+        ahead = momentum[..., k] > 0.0
+        low, high = np.where(ahead, nearest, math.pi - farthest), np.where(ahead, farthest, math.pi - nearest)
+        angles[..., k, 0] = np.where(axis == k, low, least)
+        angles[..., k, 1] = np.where(axis == k, high, math.pi - least)
+    regime, rest = np.asarray(np.array(REGIMES)[codes]), np.broadcast_to(np.asarray(motion.momentum_norm) == 0.0, codes.shape)
+    angles[rest] = np.nan
+    without = ((axis < 0) | np.isin(regime, ("permanent", "spherical", "separatrix"))) & ~rest
+    for i in map(tuple, np.argwhere(without)):
+        angles[i] = _angles_without_period(moments[i], momentum[i], str(regime[i]))
     return angles
 
 
@@ -81,12 +88,21 @@ def cone_angles(motion: FreeMotion) -> tuple[float, float] | None:
 @known_numbers_only
 def velocity_angles(motion: FreeMotion) -> tuple[float, float] | None:
     """Return the smallest and largest angle [rad] between the angular velocity and L over all time; None at rest."""
-    curve = herpolhode(motion)
-    if curve is None:
+    if not motion.momentum_norm:
         return None
+    least, most = many_velocity_angles(motion).tolist()
+    return least, most
+
+
+@known_numbers_only
+def many_velocity_angles(motion: FreeMotion) -> Float64[np.ndarray, "*batch 2"]:
+    """Return the angles (…, 2) of many motions at once, as ``velocity_angles`` does of one; NaN at rest."""
+    inner, outer, distance = herpolhodes(motion)
     # in Poinsot's picture the contact point is along the angular velocity, and the plane across L
-    inner, outer = (math.atan2(r, curve.plane_distance) for r in (curve.inner_radius, curve.outer_radius))
-    return min(inner, outer), max(inner, outer)
+    radii, heights = np.stack([inner, outer], axis=-1), np.stack([distance, distance], axis=-1)
+    # one by one, as NumPy's arctangent of an array may differ in its last digit
+    angles = list(map(math.atan2, radii.ravel().tolist(), heights.ravel().tolist()))
+    return np.sort(np.reshape(angles, radii.shape), axis=-1)
 
 
 @known_numbers_only
@@ -103,10 +119,8 @@ def rotation_form(motion: FreeMotion) -> str:
 @known_numbers_only
 def rotation_forms(motion: FreeMotion) -> Shaped[np.ndarray, "*batch"]:
     """Return the forms (…) of many motions at once, as ``rotation_form`` does of one."""
-    motion = motion.along("principal")
-    moments, momentum = np.broadcast_arrays(np.asarray(motion.moments), np.asarray(motion.momentum_at_epoch))
-    codes = np.asarray(motion.regime)
-    regime = np.array(REGIMES)[codes] if codes.dtype.kind == "i" else codes
+    moments, momentum, codes = _of_many(motion)
+    regime = np.array(REGIMES)[codes]
     nearest, farthest = _cones(moments, momentum)
     modulus = np.asarray(motion.modulus if codes.ndim else motion.modulus or 0.0, dtype=float)
     flipping = (farthest >= LIMITS.flipping) & ((farthest - nearest >= LIMITS.swinging) | (modulus > LIMITS.dwelling))
@@ -114,6 +128,14 @@ def rotation_forms(motion: FreeMotion) -> Shaped[np.ndarray, "*batch"]:
                "steady": (regime == "permanent") | (regime == "spherical"),
                "coning": farthest < LIMITS.coning}  # fmt: skip
     return np.select(list(choices.values()), list(choices), np.where(flipping, "flipping", "tumbling"))
+
+
+def _of_many(motion: FreeMotion) -> tuple[Array, Array, Array]:
+    """Return moments and momentum (…, 3) along the principal axes, and codes (…) of regimes, of one motion or many."""
+    motion = motion.along("principal")
+    moments, momentum = np.broadcast_arrays(np.asarray(motion.moments), np.asarray(motion.momentum_at_epoch))
+    codes = np.asarray(motion.regime)
+    return moments, momentum, codes if codes.dtype.kind == "i" else np.asarray(REGIMES.index(str(codes)))
 
 
 def _cone(motion: FreeMotion, momentum: Float64[np.ndarray, "3"]) -> tuple[float, float]:
@@ -134,14 +156,13 @@ def _cones(
 
 
 def _angles_without_period(
-    motion: FreeMotion, momentum: Float64[np.ndarray, "3"]
+    moments: Float64[np.ndarray, "3"], momentum: Float64[np.ndarray, "3"], regime: str
 ) -> Float64[np.ndarray, "3 2"]:
     """Return the angles where L is fixed in the body, or goes once from one end of the middle axis to the other."""
     scaled = momentum / np.abs(momentum).max()
     still = np.array([math.atan2(math.hypot(*np.delete(scaled, k)), scaled[k]) for k in range(3)])
     angles = np.stack([still, still], axis=1)
-    if motion.regime == "separatrix":
-        moments = np.asarray(motion.moments)
+    if regime == "separatrix":
         low, middle, high = np.argsort(moments, kind="stable")
         a, b, c = (1.0 / moments[k] for k in (low, middle, high))
         # half-way the great circle of the separatrix has this angle from the axis of largest moment

@@ -13,7 +13,7 @@ from polhode.analysis._reasons import AxisOfFreeBody
 from polhode.analysis.certificate import Subject
 from polhode.analysis.energy_casimir import Stability, energy_casimir
 from polhode.errors import InvalidInput
-from polhode.types import ArrayLike, Real
+from polhode.types import ArrayLike, ArrayOrFloat, Float64, Real
 
 
 @known_numbers_only
@@ -62,7 +62,8 @@ def _about(I: np.ndarray, norm: float, i: int) -> Stability:  # noqa: E741
     bends = np.array([curvature[j, j], curvature[k, k]])
     used = ConservedFunction(("|L|²",), np.array([1.0, -0.5 / I[i]]), bends / (np.abs(bends).max() or 1.0), 0.0)
     terms = {n + 1: float(curvature[n, n] / I[i]) for n in (j, k)}
-    reason = AxisOfFreeBody(float(I[i]), terms, stability.rate * rate, stability.growth, norm == 0.0)
+    leaving = float(leaving_rates(I[i], I[j], I[k], norm)) if stability.growth == "exponential" else 0.0
+    reason = AxisOfFreeBody(float(I[i]), terms, leaving, stability.growth, norm == 0.0)
     stability = replace(stability, function=used, reason=reason)
     if norm == 0.0:
         return replace(stability, verdict="stable", rate=0.0, growth=None, direction=None, function=None,
@@ -70,4 +71,19 @@ def _about(I: np.ndarray, norm: float, i: int) -> Stability:  # noqa: E741
                        reason=AxisOfFreeBody(float(I[i]), terms, 0.0, None, True))
     if not curvature.any():
         return replace(stability, verdict="stable")
-    return replace(stability, rate=stability.rate * rate, spectrum=stability.spectrum * rate)
+    return replace(stability, rate=leaving, spectrum=stability.spectrum * rate)
+
+
+def leaving_rates(
+    about: Float64[ArrayOrFloat, "*#batch"], one: Float64[ArrayOrFloat, "*#batch"],
+    other: Float64[ArrayOrFloat, "*#batch"], momentum_norm: Float64[ArrayOrFloat, "*#batch"],
+) -> Float64[np.ndarray, "*batch"]:
+    """Return the rates |L| √((I_i − I_j)(I_k − I_i)/(I_j I_k))/I_i (…) at which motions leave axis i; zero where stable.
+
+    Args:
+        about: I_i (…) [kg m²].
+        one, other: the other two moments (…) [kg m²].
+        momentum_norm: |L| (…) [kg m²/s].
+    """
+    product = ((about - one) / one) * ((other - about) / other)
+    return np.asarray(momentum_norm / about * np.sqrt(np.maximum(product, 0.0)))

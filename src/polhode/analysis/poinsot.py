@@ -14,6 +14,7 @@ import numpy as np
 from polhode import rotation
 from polhode._base.arrays import as_float64, known_numbers_only, namespace
 from polhode.exact.free_body import FreeMotion
+from polhode.exact.free_body._geometry import REGIMES
 from polhode.exact.free_body._preparation import canonical_reduction
 from polhode.types import Array, ArrayLike, Float64, Real
 
@@ -33,23 +34,28 @@ def herpolhode(motion: FreeMotion) -> Herpolhode | None:
     The squared radius is |L × Ω|²/(2E |L|²). At its extremes one of the smaller components of L vanishes, which makes
     it PQ/(2E|L|²) and P|S|/(2E|L|²) in the invariants of the motion, without any difference of squares.
     """
-    norm, energy = motion.momentum_norm, motion.energy
-    if not norm:
-        return None
-    distance = float(np.sqrt(2.0 * energy) / norm)
-    if motion.regime in ("permanent", "spherical"):
-        return Herpolhode(0.0, 0.0, distance)
-    momentum = np.asarray(motion.along("principal").momentum_at_epoch)
+    return Herpolhode(*(float(x) for x in herpolhodes(motion))) if motion.momentum_norm else None
+
+
+@known_numbers_only
+def herpolhodes(motion: FreeMotion) -> tuple[Float64[np.ndarray, "*batch"], ...]:
+    """Return inner and outer radii and distances (…) of many motions, as ``herpolhode`` does of one; NaN at rest."""
+    norm, energy = np.asarray(motion.momentum_norm), np.asarray(motion.energy)
+    motion = motion.along("principal")
+    moments, momentum = np.broadcast_arrays(np.asarray(motion.moments), np.asarray(motion.momentum_at_epoch))
+    regime = np.asarray(motion.regime)
+    still = np.isin(np.array(REGIMES)[regime] if regime.dtype.kind == "i" else regime, ("permanent", "spherical"))
     with np.errstate(all="ignore"):
-        body = canonical_reduction(np.asarray(motion.moments), momentum)
-        P, Q, S = (float(x[0] / body.V[0]) for x in (body.P, body.Q, body.S))
-    # momentum_scale²/moment_scale is the unit of P, Q, S and 2E alike, as the reduction scales both by powers of two
-    unit = float(body.momentum_scale * body.rate_scale)
-    P, Q, S = P * unit, Q * unit, S * unit
-    size = norm * np.sqrt(2.0 * energy)
-    # |L × Ω|² = PQ or P|S| at the extremes; each root by itself, which cannot underflow
-    outer, inner = float(np.sqrt(P) * np.sqrt(Q) / size), float(np.sqrt(P) * np.sqrt(abs(S)) / size)
-    return Herpolhode(inner, outer, distance)
+        body = canonical_reduction(moments, momentum)
+        # momentum_scale²/moment_scale is the unit of P, Q, S and 2E alike, as the reduction scales both by powers of two
+        unit = body.momentum_scale * body.rate_scale
+        P, Q, S = (np.sqrt(np.abs(x[0] / body.V[0] * unit)) for x in (body.P, body.Q, body.S))
+        size, distance = norm * np.sqrt(2.0 * energy), np.sqrt(2.0 * energy) / norm
+        # |L × Ω|² = PQ or P|S| at the extremes; each root by itself, which cannot underflow
+        outer, inner = P * Q / size, P * S / size
+    rest = norm == 0.0
+    fixed = lambda radius: np.where(rest, np.nan, np.where(still, 0.0, radius))  # noqa: E731
+    return fixed(inner), fixed(outer), np.where(rest, np.nan, distance)
 
 
 def contact_point(

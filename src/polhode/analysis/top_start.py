@@ -15,7 +15,7 @@ from polhode.bodies._pivot import axis_of_symmetry
 from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top.steady_precession import SteadyPrecession, least_spin_rate, steady_precession
 from polhode.systems.heavy_top import HeavyTop
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -62,17 +62,35 @@ def top_velocity(
     named = {"spin_rate": spin_rate, "precession_rate": precession_rate, "nutation_rate": nutation_rate}
     spin_rate, precession_rate, nutation_rate = (check.number(name, rate, "rad/s") for name, rate in named.items())
     q = rotation.normalize(np.asarray(attitude, dtype=float))
-    axis, back = axis_in_space(top, q), rotation.conjugate(q)
-    in_space = precession_rate * UP
-    if nutation_rate:
-        sine = math.hypot(axis[0], axis[1])
-        if sine <= LIMITS.min_tilt:
-            raise InvalidInput(
-                "`nutation_rate` needs an axis that leans: a vertical one has no line of nodes to turn about. Let it "
-                "lean, or give the angular velocity."
-            )
-        in_space = in_space + nutation_rate * np.array([-axis[1], axis[0], 0.0]) / sine
-    return rotation.rotate(back, in_space) + spin_rate * np.asarray(top.axis)
+    if nutation_rate and float(lean_sine(axis_in_space(top, q))) <= LIMITS.min_tilt:
+        raise InvalidInput(
+            "`nutation_rate` needs an axis that leans: a vertical one has no line of nodes to turn about. Let it "
+            "lean, or give the angular velocity."
+        )
+    return euler_velocity(np.asarray(top.axis), q, spin_rate, precession_rate, nutation_rate)
+
+
+def euler_velocity(
+    axis: Float64[np.ndarray, "3"], attitude: Float64[np.ndarray, "*#batch 4"],
+    spin_rate: Float64[ArrayOrFloat, "*#batch"], precession_rate: Float64[ArrayOrFloat, "*#batch"],
+    nutation_rate: Float64[ArrayOrFloat, "*#batch"],
+) -> Float64[np.ndarray, "*batch 3"]:
+    """Return angular velocities (…, 3) as ``top_velocity`` does, of one axis at many attitudes of unit length."""
+    column = lambda rate: np.asarray(rate)[..., None]  # noqa: E731
+    in_space = column(precession_rate) * UP
+    if np.any(nutation_rate):
+        leaning = rotation.rotate(attitude, axis)
+        nodes = np.stack([-leaning[..., 1], leaning[..., 0], np.zeros(leaning.shape[:-1])], axis=-1)
+        with np.errstate(all="ignore"):  # vertical axes are refused where they nutate
+            nutating = in_space + column(nutation_rate) * nodes / column(lean_sine(leaning))
+        in_space = np.where(column(nutation_rate) != 0.0, nutating, in_space)
+    return rotation.rotate(rotation.conjugate(attitude), in_space) + column(spin_rate) * axis
+
+
+def lean_sine(axis: Float64[np.ndarray, "*batch 3"]) -> Float64[np.ndarray, "*batch"]:
+    """Return the sine (…) of the angle of unit vectors (…, 3) from the vertical."""
+    # one by one, as NumPy's hypot may differ in its last digit
+    return np.reshape([math.hypot(x, y) for x, y in axis[..., :2].reshape(-1, 2).tolist()], axis.shape[:-1])
 
 
 @known_numbers_only

@@ -73,6 +73,11 @@ def about_pivot(body: Body, pivot: Real[ArrayLike, "3"], gravity: float = STANDA
     return PivotedBody(moments, axes, arm, mass * gravity * length)
 
 
+def with_gravity(body: Body, arm: Float64[Array, "3"], gravity: Float64[Array, "*batch"]) -> Float64[Array, "*batch"]:
+    """Return mgl (…) as ``about_pivot`` does, of one body, by its arm, and many gravities (…) [m/s²]."""
+    return float(body.mass or 0.0) * gravity * float(np.linalg.norm(arm))
+
+
 def axis_of_symmetry(moments: Real[ArrayLike, "3"], axis: Real[ArrayLike, "3"]) -> int | None:
     """Return the index of the principal axis of symmetry that a direction lies along, but for rounding.
 

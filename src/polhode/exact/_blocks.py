@@ -37,7 +37,8 @@ def columns_in_blocks(prepare: Callable[..., Columns], arguments: Vectors) -> Co
                 part = prepare(*(v[start : start + length] for v in flat)) if start else first
                 for column, values in zip(columns, part, strict=True):
                     column[start : start + length] = values
-    return tuple(np.asarray(column).reshape(shape) for column in columns)
+    # where all bodies are of one sort, what is common to it may be a single number
+    return tuple(np.broadcast_to(np.asarray(column), count).reshape(shape) for column in columns)
 
 
 def flatten_motion(motion: tuple[Any, ...]) -> Columns:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,10 +12,8 @@ from polhode.analysis.energy_casimir import Stability
 from polhode.analysis.top_motion import axial_spin, axis_in_space, axis_tilt, is_steady_precession, top_period
 from polhode.analysis.top_rates import TopRates, gyroscopic_rates, mean_top_rates, steady_top_rates
 from polhode.analysis.top_rests import top_stability
-from polhode.analysis.top_start import steady_precession_at, top_velocity
 from polhode.bodies.body import Body
 from polhode.bodies.surface import Surface
-from polhode.errors import InvalidInput
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
 from polhode.reports.about import (
@@ -31,22 +28,11 @@ from polhode.reports.about import (
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport
 from polhode.reports.wording import distinct, unit_in_words, vector
-from polhode.spec.building import compute_momentum
-from polhode.spec.models import SpinTable
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, ArrayLike, Float64, Real
 
 if TYPE_CHECKING:
     from polhode.exact.lagrange_top import LagrangeMotion
-
-
-class TopLimits(NamedTuple):
-    """A number beyond which the spin of a top is refused."""
-
-    max_energy: float = 1e200  # J
-
-
-LIMITS = TopLimits()
 
 
 @dataclass(frozen=True)
@@ -201,19 +187,6 @@ def about_rests(judgements: dict[str, Stability]) -> Table:
     return verdicts("equilibria", title, "position", lambda row: row["position"], rows, key="position")
 
 
-def build_top(body: Body, pivot: Real[ArrayLike, "3"], gravity: float) -> HeavyTop:
-    """Return the top of a spec; its body may be free, which the report says.
-
-    Raises:
-        InvalidInput: for a body without mass.
-    """
-    if body.mass is None:
-        raise InvalidInput("`body.mass` is needed for the weight of a top; give it together with moments or inertia.")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)
-        return HeavyTop.from_body(body, pivot, gravity)
-
-
 def build_frame(top: HeavyTop, body: Body, pivot: Real[ArrayLike, "3"]) -> BodyFrame:
     """Return the principal axes at the fixed point, and the mass properties."""
     return BodyFrame(np.asarray(top.moments), np.asarray(top.axes), body.center_of_mass, body.mass, np.asarray(pivot))
@@ -222,63 +195,6 @@ def build_frame(top: HeavyTop, body: Body, pivot: Real[ArrayLike, "3"]) -> BodyF
 def build_mechanics(top: HeavyTop, frame: BodyFrame) -> Mechanics:
     """Return the mechanics from which energy and momentum of a top follow, along the given axes."""
     return Mechanics(frame.inertia, np.asarray(top.weight))
-
-
-def build_attitude(top: HeavyTop, attitude: Float64[Array, "4"], lean: float | None) -> Float64[Array, "4"]:
-    """Return the attitude (4,) of the principal axes at the start: as given, or leaning by an angle [rad].
-
-    Raises:
-        InvalidInput: for a top that leans although its centre of mass is its fixed point.
-    """
-    if lean is None:
-        return attitude
-    if float(top.mgl) == 0.0:
-        raise InvalidInput("`system.lean` needs a centre of mass apart from the fixed point; leave it out.")
-    return top.leaning(lean)
-
-
-def build_start(
-    top: HeavyTop, spin: SpinTable | None, momentum: Float64[Array, "3"], attitude: Float64[Array, "4"],
-    lean: float | None,
-) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:
-    """Return momentum (3,) along, and attitude (4,) of, the principal axes at the start.
-
-    Args:
-        top: the top.
-        spin: as the spec has it.
-        momentum: (3,) as given, unless the spec gives spin, precession and nutation.
-        attitude: (4,) as given, unless the spec gives a tilt.
-        lean: of the axis from the upward vertical [rad], or None.
-
-    Raises:
-        InvalidInput: for a body without an axis that leans, or a spin without the steady precession that is asked for.
-    """
-    attitude = build_attitude(top, attitude, lean)
-    if spin is None or not spin.is_of_a_top:
-        return _bearable(top, momentum), attitude
-    if float(top.mgl) == 0.0:
-        raise InvalidInput("`spin.spin`, `spin.precession` and `spin.nutation_rate` need a centre of mass apart from "
-                           "the fixed point; give `spin.angular_velocity`.")
-    turn, precession = spin.spin or 0.0, spin.precession or 0.0
-    if isinstance(precession, str):
-        tilt = float(axis_tilt(top, attitude)) if lean is None else lean
-        steady = steady_precession_at(top, tilt, turn)
-        wanted = steady.slow if precession == "slow" else steady.fast
-        if wanted is None:
-            raise InvalidInput('there is one steady precession alone at this tilt; write `spin.precession = "slow"`.')
-        precession = wanted
-    velocity = top_velocity(top, attitude, turn, precession, spin.nutation_rate or 0.0)
-    return _bearable(top, compute_momentum(np.asarray(top.moments), velocity)), attitude
-
-
-def _bearable(top: HeavyTop, momentum: Float64[Array, "3"]) -> Float64[Array, "3"]:
-    """Return the momentum (3,) of a top, unless squares of it leave the range of numbers."""
-    with np.errstate(over="ignore"):
-        energy = float(np.sum(momentum / np.sqrt(top.moments) * (momentum / np.sqrt(top.moments))))
-    if not energy < LIMITS.max_energy:
-        raise InvalidInput(f"the spin must give an energy below {LIMITS.max_energy:g} J; its momentum is "
-                           f"{momentum.tolist()} kg m²/s. Check the rate and its unit.")
-    return momentum
 
 
 def rest_verdicts(top: HeavyTop, momentum: Float64[Array, "3"]) -> dict[str, Stability]:

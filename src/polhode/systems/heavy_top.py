@@ -23,7 +23,7 @@ from polhode.systems._checks import as_floats, checked_number
 from polhode.systems._top_integrals import INTEGRAL_UNITS, Integral, integrable_case, leaf_integral
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow
 from polhode.systems.free_rigid_body import axis_flows, checked_moments
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
 if TYPE_CHECKING:
     from polhode.exact.lagrange_top import LagrangeMotion
@@ -138,11 +138,7 @@ class HeavyTop(AbstractLiePoissonSystem):
         """
         if float(self.mgl) == 0.0:
             raise InvalidInput("the top must have a centre of mass apart from the fixed point to lean; it has mgl = 0.")
-        angle = check.number("angle", angle, "rad")
-        axes = np.asarray(self.axes)
-        upright = rotation.shortest_between(axes @ np.asarray(self.axis), (0.0, 0.0, 1.0))
-        turn = rotation.multiply(np.array([*_half_turn(angle), 0.0, 0.0]), upright)
-        return rotation.multiply(turn, rotation.from_matrix(axes))
+        return lean_from_upright(np.asarray(self.axes), np.asarray(self.axis), check.number("angle", angle, "rad"))
 
     def pack(
         self,
@@ -253,6 +249,17 @@ class HeavyTop(AbstractLiePoissonSystem):
         turn = rotation.cross_of_parts(state[-3:], [time * self.mgl * self.axis[k] for k in range(3)])
         still = jnp.zeros_like(state[-1])
         return (*[still] * (len(state) - 6), *turn, still, still, still)
+
+
+def lean_from_upright(
+    axes: Float64[np.ndarray, "3 3"], axis: Float64[np.ndarray, "3"], angle: Float64[ArrayOrFloat, "*batch"]
+) -> Float64[np.ndarray, "*batch 4"]:
+    """Return attitudes (…, 4) as ``HeavyTop.leaning`` does, of one top by many angles (…) [rad] from 0 to π."""
+    upright = rotation.shortest_between(axes @ axis, (0.0, 0.0, 1.0))
+    # one by one, as NumPy's cosine of an array may differ in its last digit
+    halves = np.reshape([_half_turn(one) for one in np.ravel(angle).tolist()], (*np.shape(angle), 2))
+    turn = rotation.multiply(np.concatenate([halves, np.zeros_like(halves)], axis=-1), upright)
+    return rotation.multiply(turn, rotation.from_matrix(axes))
 
 
 def _half_turn(angle: float) -> tuple[float, float]:

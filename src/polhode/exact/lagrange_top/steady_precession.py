@@ -5,8 +5,11 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from polhode._base.arrays import known_numbers_only
 from polhode.errors import InvalidInput, shown
+from polhode.types import ArrayOrFloat, Float64
 
 
 class LevelLimits(NamedTuple):
@@ -70,6 +73,11 @@ def steady_precession(
             f"got {shown(tilt)} rad, {shown(rate)} rad/s."
         )
     moment = I1 if spin_rate is None else I1 - I3
+    return precession_roots(moment, I3, mgl, tilt, rate)
+
+
+def precession_roots(moment: float, I3: float, mgl: float, tilt: float, rate: float) -> SteadyPrecession | None:
+    """Return the roots φ̇ [rad/s] of moment · cos θ φ̇² − I3 rate φ̇ + mgl = 0, None where none is real; no checks."""
     quadratic, momentum = moment * math.cos(tilt), I3 * rate
     if moment == 0.0 or abs(math.cos(tilt)) <= LIMITS.max_cosine:
         return SteadyPrecession(mgl / momentum, None) if momentum else None
@@ -117,7 +125,14 @@ def sleeping_threshold(moments: tuple[float, float, float], mgl: float) -> float
     4.0
     """
     I1, I3 = _checked(moments, mgl)
-    return 2.0 * math.sqrt(I1) * math.sqrt(mgl) / I3 if mgl > 0.0 else 0.0
+    return float(sleeping_thresholds(I1, I3, mgl))
+
+
+def sleeping_thresholds(
+    I1: Float64[ArrayOrFloat, "*batch"], I3: Float64[ArrayOrFloat, "*batch"], mgl: Float64[ArrayOrFloat, "*batch"]
+) -> Float64[np.ndarray, "*batch"]:
+    """Return the spins (…) as ``sleeping_threshold`` does, of many tops; no checks."""
+    return np.asarray(2.0 * np.sqrt(I1) * np.sqrt(np.maximum(mgl, 0.0)) / I3)
 
 
 def _checked(moments: tuple[float, float, float], mgl: float) -> tuple[float, float]:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from polhode.analysis.cone import rotation_forms
+from polhode.analysis.cone import many_axis_angles, many_velocity_angles, rotation_forms
+from polhode.analysis.free_axes import leaving_rates
+from polhode.analysis.poinsot import Herpolhode, herpolhodes
 from polhode.exact.free_body import FreeMotion
 from polhode.exact.free_body._geometry import REGIMES
 from polhode.kinds.ensembles import Ensemble, ManySpecs, vary_table
@@ -50,12 +52,20 @@ class FreeBodies:
         return np.where(self.form == "flipping", np.asarray(self.motion.flip_interval), math.nan)
 
     @cached_property
+    def axis_angles(self) -> Any:
+        return many_axis_angles(self.motion)
+
+    @cached_property
+    def herpolhode(self) -> Any:
+        return herpolhodes(self.motion)
+
+    @cached_property
     def steady(self) -> Any:
         return (self.regime == "permanent") | (self.regime == "spherical")
 
     @cached_property
     def speed(self) -> Any:
-        return np.linalg.norm(self.velocity, axis=-1)
+        return np.sqrt(np.vecdot(self.velocity, self.velocity))  # which sums as the norm of one vector does
 
     def verdict(self, k: int) -> Any:
         """Return whether rotation about an axis is stable; ``analysis.free_axes`` has the verdicts in full."""
@@ -66,10 +76,8 @@ class FreeBodies:
         return np.where((middle | equatorial) & moving, "unstable", "stable")
 
     def growth(self, k: int) -> Any:
-        """Return the rate |L| √((I_i − I_j)(I_k − I_i)/(I_j I_k))/I_i at which motions near an axis leave it."""
-        about, one, other = self._about(k)
-        product = ((about - one) / one) * ((other - about) / other)
-        return self.motion.momentum_norm / about * np.sqrt(np.maximum(product, 0.0))
+        """Return the rate at which motions near an axis leave it."""
+        return leaving_rates(*self._about(k), self.motion.momentum_norm)
 
     def _about(self, k: int) -> tuple[Any, Any, Any]:
         moments = np.broadcast_to(self.motion.moments, self.momentum.shape)
@@ -122,6 +130,9 @@ NUMBERS: dict[str, Callable[[FreeBodies], Any]] = {
     "tumbling_periods.P_phi": lambda bodies: bodies.motion.tumbling_periods[0],
     "tumbling_periods.P_psi": lambda bodies: bodies.motion.tumbling_periods[1],
     "long_axis_period": lambda bodies: bodies.motion.long_axis_period,
+    "angle_of_velocity_to_momentum": lambda bodies: many_velocity_angles(bodies.motion),
+    **{f"herpolhode.{name}": lambda bodies, k=k: bodies.herpolhode[k] for k, name in enumerate(Herpolhode._fields)},
+    **{f"axes.{k + 1}.angle_to_momentum": lambda bodies, k=k: bodies.axis_angles[:, k] for k in range(3)},
     **{f"axes.{k + 1}.moment": lambda bodies, k=k: bodies._about(k)[0] for k in range(3)},
     **{f"axes.{k + 1}.verdict": lambda bodies, k=k: bodies.verdict(k) for k in range(3)},
     **{f"axes.{k + 1}.rate": lambda bodies, k=k: bodies.growth(k) for k in range(3)},
@@ -134,7 +145,8 @@ def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> E
     spec, varied, bodies, count = samples.spec, samples.varied, samples.bodies, samples.size
     known = {*NUMBERS, *(STATES + part for part in PARTS)}
     coning = spec.spin is not None and spec.spin.is_of_a_cone
-    if bodies is None or coning or not set(names) <= known or not all(key.startswith(("spin.", "body.")) for key in varied):
+    of_start = all(key.startswith(("spin.", "body.")) for key in varied)
+    if bodies is None or coning or not of_start or not set(names) <= known:
         return None
     momentum, attitude = build_spin(vary_table(spec.spin, "spin", varied, count), bodies.moments, bodies.axes)
     momentum = np.array(np.broadcast_to(momentum, (count, 3)), dtype=float)

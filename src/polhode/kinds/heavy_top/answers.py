@@ -23,11 +23,10 @@ from polhode.reports.top import (
     about_rests,
     build_frame,
     build_mechanics,
-    build_start,
-    build_top,
     rest_verdicts,
     usual_times,
 )
+from polhode.reports.top_starts import build_start, build_top
 from polhode.simulation import simulate
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, Float64

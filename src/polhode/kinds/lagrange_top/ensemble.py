@@ -1,4 +1,4 @@
-"""Answers about many Lagrange tops at once: each is set up by itself, and all motions are one array."""
+"""Answers about many Lagrange tops at once."""
 
 from __future__ import annotations
 
@@ -7,17 +7,15 @@ from typing import Any
 
 import numpy as np
 
-from polhode.errors import InvalidInput
 from polhode.exact.lagrange_top import LagrangeMotion
 from polhode.exact.lagrange_top._geometry import REGIMES
-from polhode.exact.lagrange_top.steady_precession import sleeping_threshold
+from polhode.exact.lagrange_top.steady_precession import sleeping_thresholds
 from polhode.kinds.ensembles import Ensemble, ManySpecs
 from polhode.kinds.lagrange_top.answers import make_start
-from polhode.types import Array
+from polhode.kinds.many_tops import start_tops
 
 STATES = "states."
 PARTS = ("attitude", "momentum", "angular_velocity")
-RESTING = (np.ones(3), 1.0, np.zeros(3), np.array([1.0, 0.0, 0.0, 0.0]))
 
 
 def _regime(motion: LagrangeMotion) -> Any:
@@ -32,10 +30,7 @@ def _unless_planar(motion: LagrangeMotion, values: Any) -> Any:
 NUMBERS: dict[str, Callable[[LagrangeMotion], Any]] = {
     "regime": _regime,
     "spin": lambda motion: motion.momentum_at_epoch[:, 2] / motion.moments[:, 2],
-    "sleeping_threshold": lambda motion: [
-        sleeping_threshold((float(moments[0]), float(moments[1]), float(moments[2])), float(mgl))
-        for moments, mgl in zip(motion.moments, motion.mgl, strict=True)
-    ],
+    "sleeping_threshold": lambda motion: sleeping_thresholds(motion.moments[:, 0], motion.moments[:, 2], motion.mgl),
     "nutation_limits": lambda motion: np.stack([np.asarray(limit) for limit in motion.nutation_limits], axis=-1),
     "nutation_period": lambda motion: motion.nutation_period,
     "precession_per_period": lambda motion: motion.precession_per_period,
@@ -50,20 +45,14 @@ def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> E
     """Return the answers as ``AbstractKind.ensemble`` does; None for answers that need a report on each."""
     if not set(names) <= {*NUMBERS, *(STATES + part for part in PARTS)}:
         return None
-    starts: list[tuple[Array, float, Array, Array]] = [RESTING] * samples.size
-    refused: dict[int, str] = {}
-    for k in range(samples.size):
-        try:
-            top, momentum, attitude = make_start(samples.spec_of(k))
-            starts[k] = np.asarray(top.moments), float(top.mgl), momentum, attitude
-        except InvalidInput as error:
-            refused[k] = str(error)
-    moments, mgl, momentum, attitude = (np.array(column) for column in zip(*starts, strict=True))
-    motion = LagrangeMotion(moments, mgl=mgl, momentum=momentum, attitude=attitude)
+    tops = start_tops(samples, make_start)
+    wrong, moments = list(tops.refused), tops.moments
+    moments[wrong] = 1.0
+    motion = LagrangeMotion(moments, mgl=tops.mgl, momentum=tops.momentum, attitude=tops.attitude)
     with np.errstate(all="ignore"):
         values = {name: NUMBERS[name](motion) for name in names if name in NUMBERS}
     states = [name for name in names if name.startswith(STATES)]
     if states:
         sampled = motion.sample(np.asarray(times))
         values |= {name: getattr(sampled, name.removeprefix(STATES)) for name in states}
-    return Ensemble(values, refused)
+    return Ensemble(values, tops.refused)
