@@ -65,7 +65,8 @@ def many_axis_angles(motion: FreeMotion) -> Float64[np.ndarray, "*batch 3 2"]:
         low, high = np.where(ahead, nearest, math.pi - farthest), np.where(ahead, farthest, math.pi - nearest)
         angles[..., k, 0] = np.where(axis == k, low, least)
         angles[..., k, 1] = np.where(axis == k, high, math.pi - least)
-    regime, rest = np.asarray(np.array(REGIMES)[codes]), np.broadcast_to(np.asarray(motion.momentum_norm) == 0.0, codes.shape)
+    regime = np.asarray(np.array(REGIMES)[codes])
+    rest = np.broadcast_to(np.asarray(motion.momentum_norm) == 0.0, codes.shape)
     angles[rest] = np.nan
     without = ((axis < 0) | np.isin(regime, ("permanent", "spherical", "separatrix"))) & ~rest
     for i in map(tuple, np.argwhere(without)):

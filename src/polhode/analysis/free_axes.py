@@ -78,7 +78,7 @@ def leaving_rates(
     about: Float64[ArrayOrFloat, "*#batch"], one: Float64[ArrayOrFloat, "*#batch"],
     other: Float64[ArrayOrFloat, "*#batch"], momentum_norm: Float64[ArrayOrFloat, "*#batch"],
 ) -> Float64[np.ndarray, "*batch"]:
-    """Return the rates |L| √((I_i − I_j)(I_k − I_i)/(I_j I_k))/I_i (…) at which motions leave axis i; zero where stable.
+    """Return the rates |L| √((I_i − I_j)(I_k − I_i)/(I_j I_k))/I_i (…) at which motions leave axis i, or zero.
 
     Args:
         about: I_i (…) [kg m²].

@@ -47,7 +47,7 @@ def herpolhodes(motion: FreeMotion) -> tuple[Float64[np.ndarray, "*batch"], ...]
     still = np.isin(np.array(REGIMES)[regime] if regime.dtype.kind == "i" else regime, ("permanent", "spherical"))
     with np.errstate(all="ignore"):
         body = canonical_reduction(moments, momentum)
-        # momentum_scale²/moment_scale is the unit of P, Q, S and 2E alike, as the reduction scales both by powers of two
+        # momentum_scale²/moment_scale is the unit of P, Q, S and 2E alike: the reduction scales both by powers of two
         unit = body.momentum_scale * body.rate_scale
         P, Q, S = (np.sqrt(np.abs(x[0] / body.V[0] * unit)) for x in (body.P, body.Q, body.S))
         size, distance = norm * np.sqrt(2.0 * energy), np.sqrt(2.0 * energy) / norm

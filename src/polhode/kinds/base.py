@@ -21,7 +21,7 @@ from pydantic import BaseModel
 from polhode._base.plugins import Plugin
 from polhode.analysis._mechanics import Mechanics
 from polhode.bodies.body import Body
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.formats.labels import AttitudeLabels
 from polhode.kinds.added_figures import figures_of
 from polhode.motion._trajectory import Trajectory
@@ -95,7 +95,8 @@ class AbstractKind(abc.ABC, Generic[TableT]):
 
     ========================  ==================================================================================
     ``answers.py``            ``make_report``, which each kind needs; ``simulate_motion``, ``make_motion``,
-                              ``answers_without_motion``, for ``motion``, ``closed_form``, ``answers_without_motion``
+                              ``answers_without_motion``, ``begin_motion``, for ``motion``, ``closed_form``,
+                              ``answers_without_motion``, ``reports``
     ``figures.py``            ``FIGURES`` and ``OVERVIEW``
     ``panel.py``              ``PANEL``, an object of a subclass of ``KindPanel``
     ``ensemble.py``           ``evaluate_ensemble``
@@ -156,6 +157,22 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         if make is None:
             raise NotImplementedError(f"the kind {self.name} needs `make_report` in answers.py of its folder")
         return make(spec)
+
+    def reports(self, specs: Sequence[Spec[TableT]]) -> Iterator[SystemReport | InvalidInput | NotConverged]:
+        """Yield the report on each of many specs of this kind, or why there is none.
+
+        Where ``answers.py`` has ``begin_motion``, copies of one system are followed together.
+        """
+        if (begin := self._find("answers", "begin_motion")) is not None:
+            from polhode.kinds.stepping import report_on_each
+
+            yield from report_on_each(specs, begin)
+            return
+        for spec in specs:
+            try:
+                yield spec.report()
+            except (InvalidInput, NotConverged) as error:
+                yield error
 
     def motion(self, spec: Spec[TableT]) -> SpecMotion:
         """Return the motion alone: from the report, where ``answers.py`` has no quicker way.
@@ -417,7 +434,7 @@ class Spec(Generic[TableT]):
 
     def report(self) -> SystemReport:
         """Return the answers; see ``AbstractKind.report``."""
-        with self._within_double_precision():
+        with self.within_double_precision():
             report = self.kind.report(self)
             if not isinstance(report, SystemReport):
                 name = self.kind.name
@@ -429,11 +446,11 @@ class Spec(Generic[TableT]):
 
     def motion(self) -> SpecMotion:
         """Return the motion without the answers; see ``AbstractKind.motion``."""
-        with self._within_double_precision():
+        with self.within_double_precision():
             return self.kind.motion(self)
 
     @contextmanager
-    def _within_double_precision(self) -> Iterator[None]:
+    def within_double_precision(self) -> Iterator[None]:
         """Raise an error that explains an overflow of double precision on the way to the answers.
 
         NumPy's warnings are off meanwhile: results that are not finite are refused in the end.

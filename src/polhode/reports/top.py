@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -44,7 +46,7 @@ class TopReport(MotionReport):
         surface: its shape, in the given axes, or None.
         top: moments, axis and weight at the pivot.
         trajectory: its frame has the principal axes at the pivot.
-        verdicts: on the axis upright and hanging, at the spin about it that the motion starts with.
+        momentum: (3,) at the start [kg m²/s, principal axes].
         warned: warnings of the integrator.
         remarks: on how the spec was understood.
     """
@@ -53,9 +55,14 @@ class TopReport(MotionReport):
     surface: Surface | None
     top: HeavyTop
     trajectory: Trajectory
-    verdicts: dict[str, Stability]
+    momentum: Float64[Array, "3"]
     warned: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
+
+    @cached_property
+    def verdicts(self) -> dict[str, Stability]:
+        """On the axis upright and hanging, at the spin about it that the motion starts with."""
+        return rest_verdicts(self.top, self.momentum)
 
     @property
     def free(self) -> bool:
@@ -87,7 +94,7 @@ class TopReport(MotionReport):
         """(T, 3) unit vector from the fixed point to the centre of mass."""
         return axis_in_space(self.top, self.trajectory.attitude)
 
-    @property
+    @cached_property
     def tilt(self) -> Float64[Array, "time"]:
         """(T,) angle of the axis from the vertical [rad]."""
         return axis_tilt(self.top, self.trajectory.attitude)
@@ -111,6 +118,12 @@ class TopReport(MotionReport):
     @property
     def answers(self) -> list[Group | Table]:
         return [about_body(self.body, self.top, self.frame), about_rests(self.verdicts), *self._rates(), self.motion()]
+
+    def iterate_answers(self) -> Iterator[Group | Table]:
+        yield about_body(self.body, self.top, self.frame)
+        yield self.motion()
+        yield from self._rates()
+        yield about_rests(self.verdicts)
 
     @property
     def mean_rates(self) -> TopRates:

@@ -17,6 +17,7 @@ from polhode.kinds.ensembles import Ensemble, ManySpecs
 from polhode.kinds.reading import build_spec
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table, collect_values, plain
+from polhode.reports.base import SystemReport
 from polhode.spec.keys import is_place, with_value, write_quantity
 from polhode.sweeps.bodies import vary_body
 from polhode.sweeps.plan import STATES, Plan, choose_chunk
@@ -241,11 +242,15 @@ class Evaluator:
 
     def _one_by_one(self, inputs: dict[str, Any], count: int) -> tuple[dict[str, Any], dict[int, str], dict[int, str]]:
         values = {column.name: column.blank(count) for column in self.columns}
-        refused, lost = {}, {}
+        refused, lost, specs = {}, {}, {}
         for k in range(count):
             try:
-                spec = self.make_spec(inputs, k)
-                answers, _ = self._answers(spec)
+                specs[k] = self.make_spec(inputs, k)
+            except InvalidInput as error:
+                refused[k] = str(error)
+        for (k, spec), report in zip(specs.items(), self._reports(list(specs.values())), strict=True):
+            try:
+                answers, _ = self._answers(spec, report)
                 trajectory = self._trajectory(spec) if self.plan.states else None
                 for column in self.columns:
                     if trajectory is not None and column.name in self.plan.states:
@@ -259,18 +264,40 @@ class Evaluator:
                 lost[k] = str(error)
         return values, refused, lost
 
-    def _answers(self, spec: Spec) -> tuple[dict[str, Any], Sequence[Group | Table]]:
+    @cached_property
+    def _wanted(self) -> list[str]:
+        return [name for name in self.plan.outputs if name not in self.plan.states]
+
+    @cached_property
+    def _needs_reports(self) -> bool:
+        """Whether some answer needs a motion."""
+        spec = self._probe[0]
+        return bool(self._wanted) and _take_until(self._wanted, spec.kind.answers_without_motion(spec)) is None
+
+    def _reports(self, specs: list[Spec]) -> Iterable[SystemReport | InvalidInput | NotConverged | None]:
+        return self.plan.kind.reports(specs) if self._needs_reports else [None] * len(specs)
+
+    def _answers(
+        self, spec: Spec, report: SystemReport | InvalidInput | NotConverged | None = None
+    ) -> tuple[dict[str, Any], Sequence[Group | Table]]:
         """Return answers as in the JSON, with all outputs, and their groups; none that no output needs.
 
         A motion is computed only if an output needs one.
+
+        Args:
+            spec: of the sample.
+            report: on it, where some answer needs one, or why there is none.
         """
-        wanted = [name for name in self.plan.outputs if name not in self.plan.states]
-        if not wanted:
+        if not self._wanted:
             return {}, []
-        if answers := _take_until(wanted, spec.kind.answers_without_motion(spec)):
-            return answers
-        report = spec.report()
-        return _take_until(wanted, report.iterate_answers()) or (report.as_json_dict(), report.answers)
+        if isinstance(report, InvalidInput | NotConverged):
+            raise report
+        if report is None:
+            if answers := _take_until(self._wanted, spec.kind.answers_without_motion(spec)):
+                return answers
+            report = spec.report()
+        with spec.within_double_precision():
+            return _take_until(self._wanted, report.iterate_answers()) or (report.as_json_dict(), report.answers)
 
     def _trajectory(self, spec: Spec) -> Trajectory:
         """Return the motion with samples at the times of the states."""

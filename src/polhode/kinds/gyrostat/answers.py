@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
@@ -19,9 +20,10 @@ from polhode.analysis.gyrostat_rotations import (
 )
 from polhode.bodies.body import Body
 from polhode.kinds.base import Spec, SpecMotion
-from polhode.kinds.gyrostat.build import build, simulate_samples
+from polhode.kinds.gyrostat.build import build, system_and_state, usual_span
 from polhode.kinds.gyrostat.losses import describe_losses, judge_losses
 from polhode.kinds.gyrostat.table import GyrostatTable
+from polhode.kinds.stepping import Start
 from polhode.motion._trajectory import Trajectory
 from polhode.motion.frame import BodyFrame
 from polhode.reports.about import GIVEN, about_axes, about_body, accuracy, from_motion, stability_values, verdicts
@@ -39,26 +41,50 @@ class GyrostatReport(MotionReport):
 
     Attributes:
         table: the rotor as the spec gives it.
-        moments: (3,) of the motion: rotor locked, or of a free rotor less its axial moment [kg m²].
-        axes: (3, 3) their axes by columns in the given ones.
-        along: (3,) unit vector of the rotor's axis along these axes.
-        rotor: its momentum at the start [kg m²/s], relative to the body or, of a free one, whole.
-        equilibria: on the momentum sphere, lowest energy first; with a motor, those for the rotor's final momentum.
-        rates: of L about the axis of a symmetric carrier; None for others, and with a motor.
-        start_velocity: (3,) Ω at the start [rad/s, given axes].
+        assembly: body and rotor at the start.
     """
 
     kind: ClassVar[str] = "gyrostat"
     spec: Spec[GyrostatTable]
     table: GyrostatTable
-    moments: Float64[Array, "3"]
-    axes: Float64[Array, "3 3"]
-    along: Float64[Array, "3"]
-    rotor: float
+    assembly: RotorInBody
     trajectory: Trajectory
-    equilibria: list[SteadyRotation]
-    rates: SymmetricRates | None
-    start_velocity: Float64[Array, "3"]
+
+    @property
+    def moments(self) -> Float64[Array, "3"]:
+        """(3,) of the motion: rotor locked, or of a free rotor less its axial moment [kg m²]."""
+        return self.assembly.moments
+
+    @property
+    def axes(self) -> Float64[Array, "3 3"]:
+        """(3, 3) their axes by columns in the given ones."""
+        return self.assembly.axes
+
+    @property
+    def along(self) -> Float64[Array, "3"]:
+        """(3,) unit vector of the rotor's axis along these axes."""
+        return self.assembly.along
+
+    @property
+    def rotor(self) -> float:
+        """Its momentum at the start [kg m²/s], relative to the body or, of a free one, whole."""
+        return self.assembly.momentum
+
+    @cached_property
+    def equilibria(self) -> list[SteadyRotation]:
+        """On the momentum sphere, lowest energy first; with a motor, those for the rotor's final momentum."""
+        last = float(self.trajectory.part("rotor_momentum")[-1]) if self.motor else self.rotor
+        return steady_rotations(Gyrostat(self.moments, last * self.along), float(np.linalg.norm(self.assembly.total)))
+
+    @cached_property
+    def rates(self) -> SymmetricRates | None:
+        """Of L about the axis of a symmetric carrier; None for others, and with a motor."""
+        return None if self.motor else symmetric_rates(self.assembly.gyrostat, self.assembly.velocity)
+
+    @property
+    def start_velocity(self) -> Float64[Array, "3"]:
+        """(3,) Ω at the start [rad/s, given axes]."""
+        return self.assembly.axes @ self.assembly.velocity
 
     @property
     def body(self) -> Body:
@@ -137,7 +163,12 @@ class GyrostatReport(MotionReport):
 
     @property
     def answers(self) -> list[Group | Table]:
-        return [*self.without_motion(), self._motion()]
+        return [*self.without_motion(), self._motion(self._mean_rates())]
+
+    def iterate_answers(self) -> Iterator[Group | Table]:
+        yield from (about_body(self.body, "rotor locked"), self._about_rotor(), self._motion())
+        yield from self.without_motion()[2:]
+        yield Group("", self._mean_rates())
 
     def _about_rotor(self) -> Group:
         axis, torque = find_direction(self.table.rotor_axis), self.table.motor_torque
@@ -171,7 +202,7 @@ class GyrostatReport(MotionReport):
         title = f"Steady rotations at this |L|{when}"
         return verdicts("equilibria", title, "L along, Ω", cell, rows, units, more=more)
 
-    def _motion(self) -> Group:
+    def _motion(self, mean_rates: Sequence[Answer] = ()) -> Group:
         momentum, velocity = np.asarray(self.trajectory.momentum), np.asarray(self.trajectory.angular_velocity)
         norm, lean = float(np.linalg.norm(momentum[0])), self.axis_to_momentum
         nutation, around = self.rates or (None, None)
@@ -189,7 +220,7 @@ class GyrostatReport(MotionReport):
             Answer("precession_rate", around, "rad/s", "precession in space", "in space"),
             Answer("final.time", float(np.asarray(self.trajectory.times)[-1]), "s"),
             *from_motion(self.trajectory, [
-                *self._mean_rates(),
+                *mean_rates,
                 Answer("final.angular_velocity", velocity[-1], "rad/s", "Ω at the end"),
                 Answer("final.rotor_rate", float(self.rotor_rate[-1]), "rad/s", "rotor against the body at the end",
                        "relative to the body"),
@@ -225,8 +256,7 @@ def make_report(spec: Spec[GyrostatTable]) -> GyrostatReport:
     Raises:
         InvalidInput: for a rotor that does not fit into the body.
     """
-    assembly = build(spec)
-    return _report_on(spec, assembly, _simulate(spec, assembly))
+    return begin_motion(spec).make_report()
 
 
 def answers_without_motion(spec: Spec[GyrostatTable]) -> Iterator[Group | Table]:
@@ -236,18 +266,25 @@ def answers_without_motion(spec: Spec[GyrostatTable]) -> Iterator[Group | Table]
         InvalidInput: for a rotor that does not fit into the body.
     """
     if spec.system.motor_torque is None:
-        yield from _report_on(spec, build(spec), WITHOUT_MOTION).without_motion()
+        yield from GyrostatReport(spec, spec.system, build(spec), WITHOUT_MOTION).without_motion()
 
 
-def _report_on(spec: Spec[GyrostatTable], assembly: RotorInBody, trajectory: Trajectory) -> GyrostatReport:
-    motor = spec.system.motor_torque is not None
-    last = float(trajectory.part("rotor_momentum")[-1]) if motor else assembly.momentum
-    gyrostat = Gyrostat(assembly.moments, last * assembly.along)
-    rotations = steady_rotations(gyrostat, float(np.linalg.norm(assembly.total)))
-    rates = None if motor else symmetric_rates(assembly.gyrostat, assembly.velocity)
-    return GyrostatReport(
-        spec, spec.system, assembly.moments, assembly.axes, assembly.along, assembly.momentum, trajectory, rotations,
-        rates, assembly.axes @ assembly.velocity,
+def begin_motion(spec: Spec[GyrostatTable]) -> Start:
+    """Return the motion at the times of the spec, or for ten turns.
+
+    Raises:
+        InvalidInput: for a rotor that does not fit into the body.
+    """
+    table, body, assembly, times = spec.system, spec.body, build(spec), spec.times
+    assert body is not None
+    if times is None:
+        times = np.linspace(0.0, usual_span(table, assembly), spec.samples)
+    frame = BodyFrame(assembly.moments, assembly.axes, body.center_of_mass, body.mass)
+    remedy = "" if table.step is None else "A longer `system.step` takes less."
+    return Start(
+        *system_and_state(table, assembly), times,
+        lambda trajectory, _: GyrostatReport(spec, table, assembly, replace(trajectory, frame=frame)),
+        spec.until, remedy, {"step": table.step},
     )
 
 
@@ -257,10 +294,4 @@ def simulate_motion(spec: Spec[GyrostatTable]) -> SpecMotion:
     Raises:
         InvalidInput: for a rotor that does not fit into the body.
     """
-    return SpecMotion(_simulate(spec, build(spec)), None)
-
-
-def _simulate(spec: Spec[GyrostatTable], assembly: RotorInBody) -> Trajectory:
-    assert spec.body is not None
-    frame = BodyFrame(assembly.moments, assembly.axes, spec.body.center_of_mass, spec.body.mass)
-    return replace(simulate_samples(spec, assembly), frame=frame)
+    return SpecMotion(begin_motion(spec).make_report().trajectory, None)

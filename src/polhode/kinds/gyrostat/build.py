@@ -10,9 +10,7 @@ from polhode import rotation
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
 from polhode.kinds.gyrostat.table import GyrostatTable
-from polhode.motion._trajectory import Trajectory
-from polhode.reports.length import Watch
-from polhode.simulation import simulate
+from polhode.systems.base import AbstractSystem
 from polhode.systems.body_with_rotor import RotorInBody, find_direction, rotor_in_body, rotor_misfit
 from polhode.systems.gyrostat import TorquedGyrostat
 from polhode.types import Array
@@ -36,21 +34,13 @@ def build(spec: Spec[GyrostatTable]) -> RotorInBody:
     )
 
 
-def simulate_samples(spec: Spec[GyrostatTable], assembly: RotorInBody) -> Trajectory:
-    """Return the motion at the times of the spec, or for ten turns.
-
-    Raises:
-        InvalidInput: for a run longer than can be waited for.
-    """
-    table, times = spec.system, spec.times
-    if times is None:
-        times = np.linspace(0.0, _span(table, assembly), spec.samples)
+def system_and_state(table: GyrostatTable, assembly: RotorInBody) -> tuple[AbstractSystem, Array]:
+    """Return what moves, and its state at the start."""
     state = np.concatenate([assembly.attitude, assembly.total])
-    watch = Watch(spec.until, times, "" if table.step is None else "A longer `system.step` takes less.")
     if table.motor_torque is None:
-        return simulate(assembly.gyrostat, state, times, step=table.step, progress=watch)
+        return assembly.gyrostat, state
     system = TorquedGyrostat(assembly.moments, assembly.along, table.rotor_moment, table.motor_torque)
-    return simulate(system, np.append(state, assembly.momentum), times, step=table.step, progress=watch)
+    return system, np.append(state, assembly.momentum)
 
 
 def _start(spec: Spec[GyrostatTable], rotor: Array) -> tuple[Array, Array]:
@@ -69,7 +59,7 @@ def _start(spec: Spec[GyrostatTable], rotor: Array) -> tuple[Array, Array]:
     return axes @ (momentum / moments), rotation.multiply(attitude, back)
 
 
-def _span(table: GyrostatTable, assembly: RotorInBody) -> float:
+def usual_span(table: GyrostatTable, assembly: RotorInBody) -> float:
     """Return ten turns [s], or of a body at rest the time in which its motor gives the rotor ten."""
     turns = 10
     if assembly.usual_rate:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 import numpy as np
 
@@ -13,21 +12,19 @@ from polhode import rotation
 from polhode.kinds.base import Spec, SpecMotion
 from polhode.kinds.heavy_top.table import HeavyTopTable
 from polhode.kinds.registry import other_kind
+from polhode.kinds.stepping import Start
 from polhode.motion._layout import Quantity
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table
-from polhode.reports.length import Watch
 from polhode.reports.top import (
     TopReport,
     about_body,
     about_rests,
     build_frame,
-    build_mechanics,
     rest_verdicts,
     usual_times,
 )
 from polhode.reports.top_starts import build_start, build_top
-from polhode.simulation import simulate
 from polhode.systems.heavy_top import HeavyTop
 from polhode.types import Array, Float64
 
@@ -45,16 +42,36 @@ class HeavyTopReport(TopReport):
     kind: ClassVar[str] = "heavy-top"
 
 
-def make_report(spec: Spec[HeavyTopTable]) -> HeavyTopReport:
-    """Return the report on any body about a fixed point, by Taylor series or splitting into exact flows.
+def begin_motion(spec: Spec[HeavyTopTable]) -> Start:
+    """Return the motion of any body about a fixed point, by Taylor series or splitting into exact flows.
 
     Raises:
         InvalidInput: for a body without mass.
     """
-    moved = _simulate(spec)
-    assert spec.body is not None
-    verdicts = rest_verdicts(moved.top, moved.momentum)
-    return HeavyTopReport(spec.body, spec.surface, moved.top, moved.trajectory, verdicts, moved.warned, spec.remarks)
+    table, body, times = spec.system, spec.body, spec.times
+    assert body is not None
+    top = build_top(body, table.pivot, table.gravity)
+    momentum, attitude = _start(spec, top)
+    state = top.pack(rotation.multiply(attitude, rotation.conjugate(rotation.from_matrix(np.asarray(top.axes)))),
+                     momentum=np.asarray(top.axes) @ momentum)
+    if times is None:
+        times = usual_times(None, top, momentum, spec.samples)
+
+    def report(trajectory: Trajectory, warned: tuple[str, ...]) -> HeavyTopReport:
+        named = replace(_rename_invariants(trajectory), frame=build_frame(top, body, table.pivot))
+        return HeavyTopReport(body, spec.surface, top, named, momentum, warned, spec.remarks)
+
+    return Start(top, state, times, report, spec.until, _remedy(spec), {"step": table.step, "order": table.order},
+                 keeps_warnings=True)
+
+
+def make_report(spec: Spec[HeavyTopTable]) -> HeavyTopReport:
+    """Return the report on any body about a fixed point.
+
+    Raises:
+        InvalidInput: for a body without mass.
+    """
+    return begin_motion(spec).make_report()
 
 
 def simulate_motion(spec: Spec[HeavyTopTable]) -> SpecMotion:
@@ -63,9 +80,8 @@ def simulate_motion(spec: Spec[HeavyTopTable]) -> SpecMotion:
     Raises:
         InvalidInput: for a body without mass.
     """
-    moved = _simulate(spec)
-    assert moved.trajectory.frame is not None
-    return SpecMotion(moved.trajectory, build_mechanics(moved.top, moved.trajectory.frame))
+    report = make_report(spec)
+    return SpecMotion(report.trajectory, report.mechanics)
 
 
 def answers_without_motion(spec: Spec[HeavyTopTable]) -> Iterator[Group | Table]:
@@ -79,32 +95,6 @@ def answers_without_motion(spec: Spec[HeavyTopTable]) -> Iterator[Group | Table]
     top = build_top(body, table.pivot, table.gravity)
     yield about_body(body, top, build_frame(top, body, table.pivot))
     yield about_rests(rest_verdicts(top, _start(spec, top)[0]))
-
-
-class _Moved(NamedTuple):
-    """A top, its momentum (3,) at the start along the principal axes, its motion, and warnings."""
-
-    top: HeavyTop
-    momentum: Float64[Array, "3"]
-    trajectory: Trajectory
-    warned: tuple[str, ...]
-
-
-def _simulate(spec: Spec[HeavyTopTable]) -> _Moved:
-    table, body, times = spec.system, spec.body, spec.times
-    assert body is not None
-    top = build_top(body, table.pivot, table.gravity)
-    momentum, attitude = _start(spec, top)
-    state = top.pack(rotation.multiply(attitude, rotation.conjugate(rotation.from_matrix(np.asarray(top.axes)))),
-                      momentum=np.asarray(top.axes) @ momentum)
-    if times is None:
-        times = usual_times(None, top, momentum, spec.samples)
-    watch = Watch(spec.until, times, _remedy(spec))
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always", UserWarning)
-        trajectory = _rename_invariants(simulate(top, state, times, step=table.step, order=table.order, progress=watch))
-    trajectory = replace(trajectory, frame=build_frame(top, body, table.pivot))
-    return _Moved(top, momentum, trajectory, tuple(str(warning.message) for warning in caught))
 
 
 def _start(spec: Spec[HeavyTopTable], top: HeavyTop) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:

@@ -28,7 +28,6 @@ from polhode.reports.top import (
     TopReport,
     build_frame,
     build_mechanics,
-    rest_verdicts,
     usual_times,
 )
 from polhode.reports.top_starts import build_start, build_top
@@ -136,7 +135,7 @@ def make_report(spec: Spec[LagrangeTopTable]) -> LagrangeTopReport:
     top, exact, trajectory = _simulate(spec)
     I1, _, I3 = (float(x) for x in exact.moments)
     return LagrangeTopReport(
-        spec.body, spec.surface, top, trajectory, rest_verdicts(top, exact.momentum_at_epoch), remarks=spec.remarks,
+        spec.body, spec.surface, top, trajectory, np.asarray(exact.momentum_at_epoch), remarks=spec.remarks,
         steady=steady_precession_of(exact), threshold=sleeping_threshold((I1, I1, I3), float(exact.mgl)),
     )
 
