@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
 from typing import ClassVar, NamedTuple
 
 import numpy as np
@@ -23,13 +24,12 @@ from polhode.celestial.spin_orbit.system import SpinOrbit
 from polhode.celestial.spin_orbit.table import SpinOrbitTable
 from polhode.errors import InvalidInput
 from polhode.kinds.base import Spec
+from polhode.kinds.stepping import Start
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import about_body, about_orbital_rests, accuracy
 from polhode.reports.answer import Answer, Group, Table
-from polhode.reports.base import WITHOUT_MOTION, MotionReport, make_placeholder
-from polhode.reports.length import Watch
+from polhode.reports.base import WITHOUT_MOTION, MotionReport
 from polhode.reports.wording import number
-from polhode.simulation import simulate
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.types import Array, Float64
 
@@ -54,7 +54,6 @@ class SpinOrbitReport(MotionReport):
         system: the spin-orbit problem.
         trajectory: samples of the motion by adaptive steps.
         resonances: p = 1/2, 1, … up to 3 or more.
-        motion: exponent, verdict, mean rate and libration over thousands of orbits.
         section_orbits: in the figure.
         remarks: on how the spec was understood.
     """
@@ -64,7 +63,6 @@ class SpinOrbitReport(MotionReport):
     system: SpinOrbit
     trajectory: Trajectory
     resonances: list[Resonance]
-    motion: SpinMotion
     section_orbits: int
     remarks: tuple[str, ...] = ()
 
@@ -72,6 +70,11 @@ class SpinOrbitReport(MotionReport):
     def start(self) -> Float64[Array, "2"]:
         """(2,) angle [rad] and rate [rad/s] at the first periapsis."""
         return np.asarray(self.trajectory.states)[0]
+
+    @cached_property
+    def motion(self) -> SpinMotion:
+        """Exponent, verdict, mean rate and libration over thousands of orbits."""
+        return spin_motion(self.system, self.start)
 
     @property
     def threshold(self) -> float | None:
@@ -96,9 +99,16 @@ class SpinOrbitReport(MotionReport):
 
     @property
     def answers(self) -> list[Group | Table]:
-        body = [] if self.body is None else [about_body(self.body)]
-        missing = [] if body else [Group("", [Answer("mass", None), Answer("principal_moments", None)])]
-        return [*body, *missing, self._orbit(), self._resonances(), *self._rests(), self._motion()]
+        return [*self._before_motion(), Group("Motion", [*self._started(), *self._followed()])]
+
+    def iterate_answers(self) -> Iterator[Group | Table]:
+        yield from self._before_motion()
+        yield Group("Motion", self._started())
+        yield Group("", self._followed())
+
+    def _before_motion(self) -> list[Group | Table]:
+        missing = [Group("", [Answer("mass", None), Answer("principal_moments", None)])] if self.body is None else []
+        return [*missing, *self.without_motion()]
 
     def without_motion(self) -> list[Group | Table]:
         """Return the answers that need no trajectory."""
@@ -148,10 +158,18 @@ class SpinOrbitReport(MotionReport):
         rows = [vars(resonance) for resonance in self.resonances]
         return Table("resonances", "Resonances of spin and orbit", columns, rows, units, shown=said)
 
-    def _motion(self) -> Group:
+    def _started(self) -> list[Answer]:
+        angle, rate = (float(self.trajectory.part(name)[0]) for name in ("angle", "rate"))
+        spin_ratio = rate / float(self.system.mean_motion)
+        return [
+            Answer("start.angle", angle, "rad", "start, at periapsis", "long axis from the direction of the periapsis",
+                   f"long axis {math.degrees(angle):.6g}° from the periapsis, {spin_ratio:.6g} turns an orbit"),
+            Answer("start.rate", rate, "rad/s"),
+            Answer("start.spin_ratio", spin_ratio, "", "", "turns per orbit"),
+        ]
+
+    def _followed(self) -> list[Answer]:
         motion, n, held = self.motion, float(self.system.mean_motion), self.motion.libration
-        angle, start_rate = (float(self.trajectory.part(name)[0]) for name in ("angle", "rate"))
-        spin_ratio = start_rate / n
         # exponents have two digits, as they converge as slowly as ln t/t
         rate, chaotic = motion.exponent, motion.verdict == "chaotic"
         level = motion.regular_exponent(n)
@@ -165,11 +183,7 @@ class SpinOrbitReport(MotionReport):
         # the weighted mean of a quasi-periodic motion has many digits, that of chaos as few as the square root says
         digits, lasting = 4 if chaotic else 8, motion.lyapunov_time
         mean, mean_ratio = motion.mean_rate, motion.mean_rate / n
-        return Group("Motion", [
-            Answer("start.angle", angle, "rad", "start, at periapsis", "long axis from the direction of the periapsis",
-                   f"long axis {math.degrees(angle):.6g}° from the periapsis, {spin_ratio:.6g} turns an orbit"),
-            Answer("start.rate", start_rate, "rad/s"),
-            Answer("start.spin_ratio", spin_ratio, "", "", "turns per orbit"),
+        return [
             Answer("orbits", motion.orbits),
             Answer("verdict", motion.verdict, "", "verdict", "", f"{motion.verdict} over {motion.orbits} orbits"),
             Answer("lyapunov_exponent", rate, "1/s", "Lyapunov exponent", "", exponent),
@@ -183,7 +197,7 @@ class SpinOrbitReport(MotionReport):
                    f"{mean:.{digits}g} rad/s = {mean_ratio:.{digits}g} n"),
             Answer("mean_spin_ratio", mean_ratio, "", "", "turns per orbit"),
             *accuracy(self.trajectory),
-        ])
+        ]
 
     @property
     def notes(self) -> list[str]:
@@ -220,8 +234,8 @@ def ratio(order: float) -> str:
     return f"{fraction.numerator}:{fraction.denominator}"
 
 
-def make_report(spec: Spec[SpinOrbitTable]) -> SpinOrbitReport:
-    """Return the report on a spin that starts at periapsis.
+def begin_motion(spec: Spec[SpinOrbitTable]) -> Start:
+    """Return the motion of a spin that starts at periapsis.
 
     Raises:
         InvalidInput: for an orbit so slow or fast that the squares of its rates overflow or vanish.
@@ -232,13 +246,24 @@ def make_report(spec: Spec[SpinOrbitTable]) -> SpinOrbitReport:
     n = float(system.mean_motion)
     if times is None:
         times = np.linspace(0.0, periods * 2.0 * math.pi / n, spec.samples)
-    state = np.array([table.angle, table.spin_ratio * n])
     frame = None if spec.body is None else spec.body.frame
-    trajectory = replace(simulate(system, state, times, progress=Watch(spec.until, times)), frame=frame)
-    return SpinOrbitReport(
-        spec.body, system, trajectory, _list_resonances(system, table), spin_motion(system, state),
-        table.section_orbits, spec.remarks,
-    )
+
+    def report(trajectory: Trajectory, _: tuple[str, ...]) -> SpinOrbitReport:
+        listed = _list_resonances(system, table)
+        return SpinOrbitReport(
+            spec.body, system, replace(trajectory, frame=frame), listed, table.section_orbits, spec.remarks
+        )
+
+    return Start(system, np.array([table.angle, table.spin_ratio * n]), times, report, spec.until)
+
+
+def make_report(spec: Spec[SpinOrbitTable]) -> SpinOrbitReport:
+    """Return the report on a spin that starts at periapsis.
+
+    Raises:
+        InvalidInput: as ``begin_motion`` does.
+    """
+    return begin_motion(spec).make_report()
 
 
 def answers_without_motion(spec: Spec[SpinOrbitTable]) -> Iterator[Group | Table]:
@@ -247,7 +272,7 @@ def answers_without_motion(spec: Spec[SpinOrbitTable]) -> Iterator[Group | Table
     system = _system(spec, table)
     listed = _list_resonances(system, table)
     yield from SpinOrbitReport(
-        spec.body, system, WITHOUT_MOTION, listed, make_placeholder(SpinMotion), table.section_orbits, spec.remarks
+        spec.body, system, WITHOUT_MOTION, listed, table.section_orbits, spec.remarks
     ).without_motion()
 
 

@@ -14,13 +14,12 @@ from polhode import rotation
 from polhode.analysis._mechanics import Mechanics
 from polhode.bodies.body import Body
 from polhode.kinds.base import Spec, SpecMotion
+from polhode.kinds.stepping import Start
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.about import about_body, accuracy, from_motion
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.base import MotionReport
-from polhode.reports.length import Watch
 from polhode.reports.wording import angle, degrees, duration, number, vector
-from polhode.simulation import simulate
 from polhode.spacecraft.rigid_body.build import Craft, build, usual_times
 from polhode.spacecraft.rigid_body.control_margins import (
     LinearLoop,
@@ -395,8 +394,7 @@ def make_report(spec: Spec[RigidBodyTable]) -> RigidBodyReport:
     Raises:
         InvalidInput: naming the table that does not fit.
     """
-    craft = build(spec)
-    return RigidBodyReport(spec, craft, *_simulate(spec, craft))
+    return begin_motion(spec).make_report()
 
 
 def simulate_motion(spec: Spec[RigidBodyTable]) -> SpecMotion:
@@ -405,28 +403,34 @@ def simulate_motion(spec: Spec[RigidBodyTable]) -> SpecMotion:
     Raises:
         InvalidInput: naming the table that does not fit.
     """
-    return SpecMotion(_simulate(spec, build(spec))[0], None)
+    return SpecMotion(make_report(spec).trajectory, None)
 
 
-def _simulate(spec: Spec[RigidBodyTable], craft: Craft) -> tuple[Trajectory, History, str]:
-    """Return the motion, its history, and whether its limits acted.
+def begin_motion(spec: Spec[RigidBodyTable]) -> Start:
+    """Return the motion, with whose report come its history, and whether its limits acted.
 
     Steps end where a limit begins or ceases to act, so that the motion has no error from them. Whether one acted is
     judged at samples so close that they resolve the motion.
+
+    Raises:
+        InvalidInput: naming the table that does not fit.
     """
-    assert spec.body is not None
-    times, limits, parts = usual_times(craft, spec), "none", 1
-    watch = Watch(spec.until, times)
+    body, craft = spec.body, build(spec)
+    assert body is not None
+    times, parts = usual_times(craft, spec), 1
     if craft.system.limited:
         parts = max(1, math.ceil((LIMITS.min_samples - 1) / (len(times) - 1)))
         times = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
-    trajectory = simulate(craft.system, craft.state, times, progress=watch)
-    trajectory = replace(trajectory, source=craft.system, frame=spec.body.frame)
-    history = follow(craft.system, craft.orbit, trajectory.times, trajectory.states)
-    if craft.system.limited:
-        limits = "acted" if float(history.load.max()) > 1.0 else "not reached"
-        trajectory, history = _thin(trajectory, parts), history.thin(parts)
-    return history.add_observed(trajectory), history, limits
+
+    def report(trajectory: Trajectory, _: tuple[str, ...]) -> RigidBodyReport:
+        trajectory, limits = replace(trajectory, source=craft.system, frame=body.frame), "none"
+        history = follow(craft.system, craft.orbit, trajectory.times, trajectory.states)
+        if craft.system.limited:
+            limits = "acted" if float(history.load.max()) > 1.0 else "not reached"
+            trajectory, history = _thin(trajectory, parts), history.thin(parts)
+        return RigidBodyReport(spec, craft, history.add_observed(trajectory), history, limits)
+
+    return Start(craft.system, craft.state, times, report, spec.until)
 
 
 def _thin(trajectory: Trajectory, parts: int) -> Trajectory:

@@ -1,0 +1,107 @@
+"""Samples whose motions go by steps are followed together, and each has the answers of its own report."""
+
+import numpy as np
+import pytest
+
+from polhode.errors import NotConverged
+from polhode.kinds import stepping
+from polhode.reports.answer import plain
+from polhode.sweeps.evaluation import Evaluator, _pick
+from polhode.sweeps.plan import read_plan
+
+TIME = '[time]\nuntil = "3 s"\nsamples = 40\n'
+SPIN = '[spin]\nangular_velocity = ["0.1 rad/s", "0.2 rad/s", "0.3 rad/s"]\n'
+BODY = '[body]\nmoments = ["2 kg*m^2", "3 kg*m^2", "4 kg*m^2"]\n'
+VARIED = '"spin.angular_velocity.1" = { uniform = ["0.1 rad/s", "0.5 rad/s"] }\n'
+CASES = {
+    "heavy-top": (
+        ('[system]\nkind = "heavy-top"\npivot = ["0 m", "0 m", "0 m"]\n[body]\nmoments = ["2 kg*m^2", "3 kg*m^2", '
+        f'"4 kg*m^2"]\nmass = "3 kg"\ncenter_of_mass = ["0.1 m", "0.2 m", "0.4 m"]\n{SPIN}'),
+        VARIED, ["tilt.smallest", "tilt.largest", "rates.motion.precession", "invariants.energy", "principal_moments"],
+    ),
+    "gyrostat": (
+        ('[system]\nkind = "gyrostat"\nrotor_axis = [0.0, 0.0, 1.0]\nrotor_moment = "0.02 kg*m^2"\n'
+        f'rotor_rate = "600 rpm"\n{BODY}{SPIN}'),
+        VARIED, ["rotor_axis_to_momentum.largest", "final.energy", "final.angular_velocity", "momentum_norm"],
+    ),
+    "rigid-body": (
+        (f'{BODY}{SPIN}[system]\nkind = "rigid-body"\n[[wheel]]\naxis = [0, 0, 1]\nmoment = "0.01 kg*m^2"\n'
+        'rate = "600 rpm"\n'),
+        VARIED, ["end.energy", "end.angular_velocity", "wheels.1.rate_end", "end.attitude"],
+    ),
+    "spin-orbit": (
+        '[system]\nkind = "spin-orbit"\neccentricity = 0.05\norbital_period = "1 s"\nasphericity = 0.2\n',
+        '"system.spin_ratio" = { uniform = [0.8, 1.6] }\n"system.angle" = { uniform = ["0 deg", "40 deg"] }\n',
+        ["start.spin_ratio", "chaos_expected", "resonances.2.strength"],
+    ),
+}  # fmt: skip
+
+
+def evaluator(tmp_path, case, outputs=None):
+    tables, varied, usual = CASES[case]
+    path = tmp_path / "case.toml"
+    names = ", ".join(f'"{name}"' for name in outputs or usual)
+    path.write_text(f"{tables}{TIME}[sweep]\nsamples = 4\noutputs = [{names}]\n[sweep.inputs]\n{varied}")
+    return Evaluator(read_plan(path))
+
+
+def agree(found):
+    """Check that a chunk has the answers of the report on each sample alone."""
+    count = found.plan.design.count
+    chunk, inputs = found.chunk(0, count).values, found.draw_inputs(0, count)
+    for k in range(count):
+        alone = plain(found.make_spec(inputs, k).report().values())
+        for name in found.plan.outputs:
+            value = _pick(alone, name)
+            if isinstance(value, bool):
+                value = "yes" if value else "no"
+            value = np.nan if value is None else value
+            assert np.array_equal(chunk[name][k], value, equal_nan=not isinstance(value, str)), name
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_as_alone(tmp_path, case):
+    agree(evaluator(tmp_path, case))
+
+
+def test_another_copy_is_noticed(tmp_path, monkeypatch):
+    right = stepping.copy_of
+    monkeypatch.setattr(stepping, "copy_of", lambda trajectory, k: right(trajectory, k - 1))
+    with pytest.raises(AssertionError, match="tilt"):
+        agree(evaluator(tmp_path, "heavy-top"))
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_one_run_for_copies_of_one_system(tmp_path, monkeypatch, case):
+    found, runs = evaluator(tmp_path, case), []
+    found.chunk(0, 4)
+    simulate = stepping.simulate
+    monkeypatch.setattr(stepping, "simulate", lambda *args, **more: runs.append(args[1]) or simulate(*args, **more))
+    found.chunk(0, 4)
+    assert [np.shape(state)[0] for state in runs] == [4]
+
+
+def test_verdicts_are_left_out_where_no_output_asks_for_them(tmp_path, monkeypatch):
+    from polhode.kinds.gyrostat.answers import GyrostatReport
+
+    found = evaluator(tmp_path, "gyrostat", ["final.energy"])
+    found.chunk(0, 4)  # the first makes certain that no answer without a motion will do
+    monkeypatch.setattr(GyrostatReport, "equilibria", property(lambda report: pytest.fail("were computed")))
+    assert np.isfinite(found.chunk(0, 4).values["final.energy"]).all()
+
+
+def test_what_fails_among_others_fails_alone(tmp_path, monkeypatch):
+    found = evaluator(tmp_path, "heavy-top")
+    whole, simulate, starts = found.chunk(0, 4).values["tilt.largest"], stepping.simulate, []
+
+    def failing(system, state, times, **more):
+        starts.append(np.asarray(state))
+        if any(np.array_equal(row, starts[0][1]) for row in np.atleast_2d(state)):
+            raise NotConverged("the second does not arrive")
+        return simulate(system, state, times, **more)
+
+    monkeypatch.setattr(stepping, "simulate", failing)
+    chunk = found.chunk(0, 4)
+    assert chunk.values["sample_status"].tolist() == ["done", "not converged", "done", "done"]
+    assert np.array_equal(chunk.values["tilt.largest"][[0, 2, 3]], whole[[0, 2, 3]])
+    assert chunk.reasons == [(1, "the second does not arrive")]
