@@ -18,7 +18,7 @@ import shutil
 import signal
 import sys
 import tempfile
-from importlib.metadata import EntryPoint
+from importlib.metadata import EntryPoint, EntryPoints
 from pathlib import Path
 
 import jaxtyping
@@ -251,7 +251,11 @@ def add_entry_points(monkeypatch):
         added[group] = [EntryPoint(name, value, group) for name, value in points]
         forget_entry_points()
 
-    monkeypatch.setattr(plugins, "entry_points", lambda group: [*real(group=group), *added.get(group, ())])
+    def find(group=None):
+        groups = plugins.GROUPS if group is None else (group,)
+        return EntryPoints(point for name in groups for point in (*real(group=name), *added.get(name, ())))
+
+    monkeypatch.setattr(plugins, "entry_points", find)
     yield add
     forget_entry_points()
 

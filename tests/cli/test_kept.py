@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from polhode._base.plugins import Plugin
-from polhode.cli import kept
+from polhode.cli import entries, kept
 from polhode.formats.dataset import write_dataset
 from polhode.formats.labels import AttitudeLabels
 from polhode.formats.opening import check_is_file
@@ -40,7 +40,7 @@ f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"""
 
 @pytest.fixture
 def case(tmp_path, monkeypatch):
-    monkeypatch.setenv(kept.FOLDER, str(tmp_path / "kept"))
+    monkeypatch.setenv(entries.FOLDER, str(tmp_path / "kept"))
     (tmp_path / "box.obj").write_text(BOX)
     (tmp_path / "case.toml").write_text(SPEC)
     return tmp_path
@@ -131,12 +131,12 @@ def test_what_is_damaged_is_computed_again(case, monkeypatch, damaged):
 
 def test_a_folder_that_cannot_be_written_changes_nothing(case, monkeypatch):
     (case / "file").write_text("")
-    monkeypatch.setenv(kept.FOLDER, str(case / "file"))
+    monkeypatch.setenv(entries.FOLDER, str(case / "file"))
     assert computed(read_spec(case / "case.toml"), monkeypatch)[1]
 
 
 def test_the_oldest_go(case, monkeypatch):
-    monkeypatch.setattr(kept, "MOST", 3)
+    monkeypatch.setattr(entries, "MOST", 3)
     spec = read_spec(case / "case.toml")
     for k in range(4):
         changed = dataclasses.replace(spec, samples=20 + k)
@@ -151,7 +151,7 @@ def test_the_oldest_go(case, monkeypatch):
 
 
 def test_large_ones_are_not_kept(case, monkeypatch):
-    monkeypatch.setattr(kept, "LARGEST", 1000)
+    monkeypatch.setattr(entries, "LARGEST", 1000)
     spec = read_spec(case / "case.toml")
     assert computed(spec, monkeypatch)[1] and computed(spec, monkeypatch)[1] and not files(case)
 
@@ -209,7 +209,7 @@ def test_the_library_keeps_nothing(tmp_path):
     code = "import os, sys, polhode as ph; ph.report(sys.argv[1]); assert 'POLHODE_REPORTS_CACHE' not in os.environ"
     (tmp_path / "case.toml").write_text(SPEC)
     (tmp_path / "box.obj").write_text(BOX)
-    environment = {k: v for k, v in os.environ.items() if k != kept.FOLDER} | {"XDG_CACHE_HOME": str(tmp_path / "c")}
+    environment = {k: v for k, v in os.environ.items() if k != entries.FOLDER} | {"XDG_CACHE_HOME": str(tmp_path / "c")}
     subprocess.run([sys.executable, "-c", code, str(tmp_path / "case.toml")], env=environment, check=True, timeout=120)
     assert not (tmp_path / "c").exists()
 
@@ -231,8 +231,8 @@ def test_commands_take_what_another_computed(case, tmp_path, monkeypatch):
     before = {path: path.stat().st_mtime_ns for path in files(case)}
     run("view", "moon.toml", "--no-open")
     after = {path: path.stat().st_mtime_ns for path in files(case)}
-    (report,) = before
-    assert after.keys() == {report, report.with_suffix(".page")} and after[report] != before[report]
+    (report,) = (path for path in before if path.suffix == entries.REPORT)
+    assert after.keys() == {*before, report.with_suffix(entries.PAGE)} and after[report] != before[report]
     shown = (case / "moon.html").read_bytes()
     run("view", "moon.toml", "--no-open")
     assert (case / "moon.html").read_bytes() == shown

@@ -16,7 +16,8 @@ import polhode
 from polhode._base import seals
 from polhode._base.arrays.kept_programs import SealedPrograms
 from polhode._base.seals import drop_oldest, read_sealed, seal, unseal, write_sealed
-from polhode.cli import compiled, kept
+from polhode.cli import compiled, entries, kept, written
+from polhode.cli.report import run_report
 from polhode.kinds.reading import read_spec
 from polhode.spec import kept_units
 from polhode.sweeps import marks
@@ -27,7 +28,8 @@ SOURCES = Path(polhode.__file__).parent
 FLIPS, MANY_FLIPS, SEED = 60, 400, 46
 LARGE = 10**8
 SEALED = {
-    "report": "cli/kept.py", "page": "cli/kept.py", "mark of a chunk": "sweeps/marks.py",
+    "report": "cli/entries.py", "page": "cli/entries.py", "what a report wrote": "cli/entries.py",
+    "mark of a chunk": "sweeps/marks.py",
     "compiled by JAX": "_base/arrays/kept_programs.py", "compiled by Numba": "_base/compiled/compiling.py",
     "table of units": "spec/kept_units.py", "flags of the compiler": "cli/compiled.py",
 }  # fmt: skip
@@ -104,7 +106,7 @@ def flipped(content, count):
 
 @pytest.fixture
 def spec(tmp_path, monkeypatch):
-    monkeypatch.setenv(kept.FOLDER, str(tmp_path / "kept"))
+    monkeypatch.setenv(entries.FOLDER, str(tmp_path / "kept"))
     (tmp_path / "case.toml").write_text(SPEC)
     return read_spec(tmp_path / "case.toml")
 
@@ -123,6 +125,21 @@ def a_page(folder, spec):
     kept.load_or_make_page(spec, kept.load_or_make_report(spec))
     place = kept._place(spec).with_suffix(kept.PAGE)
     return place, lambda: kept._load_page(place)
+
+
+def what_a_report_wrote(folder, spec):
+    run_report(folder / "case.toml", True, folder / "out", [])
+    asked = written.Asked(folder / "case.toml", ["png"], False)
+
+    def read():
+        again = written.write_again(asked, folder / "again")
+        if again is None:
+            return None
+        assert not again.more
+        return again.report.as_json_dict(), again.following, {
+            name: (folder / "again" / name).read_bytes() for name in again.files}  # fmt: skip
+
+    return asked.place, read
 
 
 def a_mark(folder, spec):
@@ -167,7 +184,8 @@ def the_compilers_flags(folder, spec):
     return place, lambda: read_sealed(place, compiled.LIMITS.max_flag_bytes)
 
 
-WHOLE = {"report": a_report, "page": a_page, "mark of a chunk": a_mark, "compiled by JAX": a_program_of_jax,
+WHOLE = {"report": a_report, "page": a_page, "what a report wrote": what_a_report_wrote,
+         "mark of a chunk": a_mark, "compiled by JAX": a_program_of_jax,
          "compiled by Numba": a_function_of_numba, "table of units": a_table_of_units,
          "flags of the compiler": the_compilers_flags}  # fmt: skip
 

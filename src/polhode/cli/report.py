@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
-from polhode.cli.kept import load_or_make_page
 from polhode.cli.publish import publish
-from polhode.cli.report_options import write_more
-from polhode.cli.spec_reports import make_page_report, make_report
+from polhode.cli.report_options import is_asked_for_more
 from polhode.cli.terminal import spell_command
+from polhode.cli.written import Asked, write_again
 from polhode.errors import InvalidInput, shown
 from polhode.formats.figure_file import is_ours
-from polhode.formats.paths import write_together
-from polhode.kinds.added_figures import check_kinds_of_figures
-from polhode.kinds.reading import read_spec
-from polhode.kinds.registry import kind_names, known_figures, next_steps
 
 FIGURE_FORMATS = ("png", "svg", "pdf")
 
@@ -36,35 +32,34 @@ def read_figure_formats(named: list[str]) -> list[str]:
 def run_report(
     path: Path, json: bool, out: Path | None, figure_formats: list[str], html: bool = False, certificates: bool = False,
 ) -> None:
-    """Read the spec, compute, write figures, dataset and, if asked for, page and more, and print the answers."""
-    formats = read_figure_formats(figure_formats)
-    spec = read_spec(path)
+    """Write figures, dataset and, if asked for, page and more, and print the answers.
+
+    What was written when the same was asked before is written again; what wings and other packages write besides needs
+    the report itself.
+    """
+    asked = Asked(path, read_figure_formats(figure_formats), html)
     folder = out or Path(path.stem if path.suffix else f"{path.name}_report")
-    report = make_page_report(path, spec) if html else make_report(path, spec)
-    check_kinds_of_figures(kind_names())
-    with write_together(folder) as draft:
-        files = report.draw(draft, *formats)
-        if report.data_file:
-            files.append(report.save(draft / report.data_file))
-        if html:
-            from polhode.kinds.page import write_page_text
+    written = None if is_asked_for_more() else write_again(asked, folder)
+    if written is None:
+        from polhode.cli.new_report import write_new
 
-            files.append(write_page_text(load_or_make_page(spec, report), draft / "page.html"))
-        more = list(write_more(report))
-    names = [*(str(folder / file.name) for file in files), *(name for written, _ in more for name in written)]
-    removed = _remove_outdated(folder, [file.name for file in files])
-    following = "; ".join(f"{spell_command(step.command, str(path))} {step.gives}" for step in next_steps(spec))
-    publish(report, json, written=names, removed=removed, certificates=certificates, following=following,
-            remarks=[note for _, notes in more for note in notes])
+        written = write_new(asked, folder)
+    names = [*(str(folder / name) for name in written.files), *(name for files, _ in written.more for name in files)]
+    removed = _remove_outdated(folder, written.files)
+    following = "; ".join(f"{spell_command(command, str(path))} {gives}" for command, gives in written.following)
+    publish(written.report, json, written=names, removed=removed, certificates=certificates, following=following,
+            remarks=[note for _, notes in written.more for note in notes])
 
 
-def _remove_outdated(folder: Path, written: list[str]) -> list[str]:
+def _remove_outdated(folder: Path, written: Sequence[str]) -> list[str]:
     """Remove the figures that an earlier report wrote into the folder and this one did not, by their names and content.
 
     Files of other commands, and renamed ones, stay. Other kinds are imported only where something may have to go.
     """
     if not _has_other_figures(folder, written):
         return []
+    from polhode.kinds.registry import known_figures
+
     known = {f"{name}.{form}" for name in known_figures() for form in FIGURE_FORMATS}
     outdated = sorted(folder / name for name in known - set(written))
     removed = []
@@ -79,7 +74,7 @@ def _remove_outdated(folder: Path, written: list[str]) -> list[str]:
     return removed
 
 
-def _has_other_figures(folder: Path, written: list[str]) -> bool:
+def _has_other_figures(folder: Path, written: Sequence[str]) -> bool:
     """Whether a folder may have figures besides those just written, by the endings of names."""
     endings = {f".{form}" for form in FIGURE_FORMATS}
     try:

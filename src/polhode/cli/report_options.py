@@ -96,6 +96,11 @@ def _describe(option: Any, points: Mapping[str, Any]) -> bool:
     return True
 
 
+def is_asked_for_more() -> bool:
+    """Whether the running command was given any of these options."""
+    return bool(_ASKED.get())
+
+
 def write_more(report: Report) -> Iterator[tuple[Sequence[str], Sequence[str]]]:
     """Yield the files that the options brought to a running command write, and notes on them.
 

@@ -11,7 +11,7 @@ import hashlib
 import io
 import os
 import stat
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextvars import ContextVar
 from functools import lru_cache
 from pathlib import Path
@@ -100,8 +100,14 @@ def check_is_file(path: Path, kind: str, limit: int | None = None) -> None:
         why = f"no such {kind} file. Check the path{within}."
         raise InvalidInput(f"{path}: {why}") from None
     _check(path, kind, status, limit)
+    note_files([path])
+
+
+def note_files(paths: Iterable[Path]) -> None:
+    """Record files as read."""
+    absolute = {path.absolute() for path in paths}
     for opened in _recordings.get():
-        opened.add(path.absolute())
+        opened.update(absolute)
 
 
 def is_folder(path: Path) -> bool:

@@ -76,6 +76,12 @@ def find_entry_points(group: str, own: Collection[str]) -> dict[str, Any]:
     return found
 
 
+def list_plugins() -> list[Plugin]:
+    """Return all that other packages bring, whether or not it takes part."""
+    points = entry_points()  # asking for each group would read the files of all packages as often
+    return sorted({_plugin(point) for group in GROUPS for point in points.select(group=group)})
+
+
 def load_entry_point(point: Any) -> Any:
     """Return what an entry point names, which is recorded as taking part.
 
