@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import os
 import re
@@ -76,14 +77,15 @@ LIMITS = QuantityLimits()
 
 @cache
 def _registry() -> Any:
-    import pint
-
     from polhode.spec.kept_units import load_registry
 
-    folder = os.environ.get(KEPT)
-    try:
-        registry = load_registry(Path(folder)) if folder else pint.UnitRegistry()
-    except OSError:  # there is no room for temporary files
+    folder, registry = os.environ.get(KEPT), None
+    if folder:
+        with contextlib.suppress(OSError):  # there is no room for temporary files
+            registry = load_registry(Path(folder))
+    if registry is None:
+        import pint
+
         registry = pint.UnitRegistry()
     registry.define("rev = turn")
     registry.define("dps = degree / second")

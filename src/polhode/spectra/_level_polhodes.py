@@ -14,7 +14,7 @@ import numpy as np
 
 from polhode.spectra._orbits import orbit
 from polhode.spectra.rotor import Rotor, equal_constants
-from polhode.spectra.semiclassics import LIMITS, doublet_splitting, quantise, without_casimir
+from polhode.spectra.semiclassics import LIMITS, are_above, doublet_splitting, quantise, without_casimir
 from polhode.types import Array, Bool, Float64, Integer
 
 
@@ -59,6 +59,21 @@ def level_directions(
     return np.stack([np.sqrt(1.0 - square), np.zeros(len(square)), np.sqrt(square)], axis=-1)
 
 
+def _have_polhodes(constants: tuple[float, float, float]) -> bool:
+    A, _, C = constants
+    return math.isfinite(A) and C > 0.0 and not equal_constants(constants)
+
+
+def find_above(constants: tuple[float, float, float], j_max: int) -> Bool[Array, "levels"] | None:
+    """Return ``above`` of the levels with J from 1 to ``j_max``, J by J; None of a symmetric or linear molecule.
+
+    Args:
+        constants: A ≥ B ≥ C, in any unit of energy.
+        j_max: a whole number.
+    """
+    return are_above(without_casimir(constants)[0], j_max) if _have_polhodes(constants) else None
+
+
 def level_polhodes(constants: tuple[float, float, float], J: int) -> LevelPolhodes | None:
     """Return the levels of one J with their polhodes; None of a symmetric or linear molecule, or J = 0.
 
@@ -68,8 +83,7 @@ def level_polhodes(constants: tuple[float, float, float], J: int) -> LevelPolhod
         constants: A ≥ B ≥ C, in any unit of energy.
         J: a whole number.
     """
-    A, _, C = constants
-    if not (math.isfinite(A) and C > 0.0) or equal_constants(constants) or J == 0:
+    if not _have_polhodes(constants) or J == 0:
         return None
     G, (rest, d) = J + 0.5, without_casimir(constants)
     shared = d * J * (J + 1.0)

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from polhode.special.carlson import carlson_rd, carlson_rf
-from polhode.types import Array, Float64
+from polhode.types import Array, ArrayLike, Float64, Real
 
 Number = Float64[Array, "*batch"]
 Three = tuple[float, float, float]
@@ -41,7 +41,7 @@ class Orbit(NamedTuple):
     barrier_correction: Number
 
 
-def orbit(constants: Three, G: float, energy: Number) -> Orbit:
+def orbit(constants: Three, G: Real[ArrayLike, "*#batch"], energy: Number) -> Orbit:
     """Return the numbers of polhodes at energies strictly between C G² and A G².
 
     At B G², where the period is infinite, they are those of the nearest polhode that doubles can tell from the
@@ -49,7 +49,7 @@ def orbit(constants: Three, G: float, energy: Number) -> Orbit:
 
     Args:
         constants: A > B > C.
-        G: |L|.
+        G: |L|, of all or of each.
         energy: (…).
     """
     A, B, C = constants

@@ -22,7 +22,7 @@ from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.errors import InvalidInput, shown
 from polhode.spectra._orbits import Three, orbit
 from polhode.spectra.rotor import Rotor, check_j, equal_constants
-from polhode.types import Array, ArrayLike, Float64, Integer, Real
+from polhode.types import Array, ArrayLike, Bool, Float64, Integer, Real
 
 
 class SemiclassicalLimits(NamedTuple):
@@ -119,6 +119,28 @@ def quantise(
     return energy + d * J * (J + 1.0), orbit(rest, J + 0.5, energy).period, roomless
 
 
+def are_above(constants: Three, j_max: int) -> Bool[Array, "levels"]:
+    """Return whether levels with J from 1 to ``j_max``, J by J, lie above the saddle of theirs.
+
+    Order 2 where the J has it, else order 1. One search finds the levels of all J, as few take as long as many.
+
+    Args:
+        constants: A > B > C, the Casimir's multiple taken out.
+        j_max: a whole number.
+    """
+    numbers = np.arange(1, j_max + 1)
+    J = np.repeat(numbers, 2 * numbers + 1)
+    index = np.arange(len(J)) - (J * J - 1)  # of the level within its J
+    Ka, Kc = (index + 1) // 2, J - index // 2
+    sign, G = np.where(Ka + Kc == J, 1.0, -1.0), J + 0.5
+    above = np.zeros(len(J), bool)
+    for order, own in ((1, J < LIMITS.min_second_order_j), (2, J >= LIMITS.min_second_order_j)):
+        if own.any():
+            energy, _ = _roots(constants, G[own], Ka[own], sign[own], order)
+            above[own] = energy > constants[1] * G[own] * G[own]
+    return above
+
+
 def _warn_of_no_room(constants: Three, G: float, roomless: int) -> None:
     A, B, C = constants
     if roomless or min(A - B, B - C) * G * G < LIMITS.min_room * (A - C):
@@ -200,7 +222,7 @@ def doublet_splitting(
 
 
 def phase(
-    constants: Three, G: float, energy: Float64[Array, "*batch"], order: int
+    constants: Three, G: Real[ArrayLike, "*#batch"], energy: Float64[Array, "*batch"], order: int
 ) -> tuple[Float64[Array, "*batch"], Float64[Array, "*batch"]]:
     """Return S + φ and δ (…) of the quantisation condition."""
     if order == 1:
@@ -246,25 +268,29 @@ def _gamma_phase(epsilon: Array) -> Array:
     return loggamma(0.5 + 1j * epsilon).imag
 
 
-def _roots(constants: Three, G: float, quanta: Array, sign: Array, order: int) -> tuple[Array, int]:
-    """Return the energies where S + φ − sign δ is π times the quanta (n,), and how many are of order 1 instead of 2."""
+def _roots(constants: Three, G: float | Array, quanta: Array, sign: Array, order: int) -> tuple[Array, int]:
+    """Return the energies where S + φ − sign δ is π times the quanta (n,), and how many are of order 1 instead of 2.
+
+    |L| = G is that of all levels, or of each (n,).
+    """
     A, _, C = constants
+    G = np.full(len(quanta), G)
     low, high = C * G * G, A * G * G
     inset_share = 1e-13  # of the range of energies, at whose ends no level is
     inset = inset_share * (high - low)
 
-    def phase_defect(energy: Array, n: Array, sign: Array, order: int) -> Array:
+    def phase_defect(energy: Array, n: Array, sign: Array, G: Array, order: int) -> Array:
         angle, delta = phase(constants, G, energy, order)
         return angle - sign * delta - math.pi * n
 
-    ends = np.full(len(quanta), low + inset), np.full(len(quanta), high - inset)
-    first = elementwise.find_root(lambda e, n, s: phase_defect(e, n, s, 1), ends, args=(quanta, sign)).x
+    ends = low + inset, high - inset
+    first = elementwise.find_root(lambda e, n, s, g: phase_defect(e, n, s, g, 1), ends, args=(quanta, sign, G)).x
     if order == 1:
         return first, 0
     # order 2 lies below order 1, by an eighth of the sum of two constants: the bracket is around that
     spacing = 2.0 * math.pi / orbit(constants, G, first).period
     ends = np.maximum(first - 0.45 * spacing, ends[0]), np.minimum(first + 0.05 * spacing, ends[1])
-    second = elementwise.find_root(lambda e, n, s: phase_defect(e, n, s, 2), ends, args=(quanta, sign))
+    second = elementwise.find_root(lambda e, n, s, g: phase_defect(e, n, s, g, 2), ends, args=(quanta, sign, G))
     # nearly symmetric rotors of low J have no room for the expansion next to their saddle
     return np.where(second.success, second.x, first), int((~second.success).sum())
 

@@ -11,7 +11,6 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.stats import binom
 
 from polhode._base import check
 from polhode._base.arrays import known_numbers_only, require_doubles
@@ -84,6 +83,8 @@ def coherent_state(s: float, direction: Real[ArrayLike, "*batch 3"]) -> Complex1
     flat = np.hypot(n[..., 0], n[..., 1])
     # (1 + n_z)/2 = sin²θ/(2(1 − n_z))
     share = np.where(n[..., 2] < 0.0, 0.5 * flat * flat / (1.0 - np.minimum(n[..., 2], 0.0)), share)
+    from scipy.stats import binom  # which takes as long to import as a report's figures to draw
+
     # |⟨m|n⟩|² = C(2s, s+m) cos^(2(s+m))(θ/2) sin^(2(s−m))(θ/2): the binomial distribution of s + m
     size = np.sqrt(binom.pmf(np.round(s + m), round(2.0 * s), share[..., None]))
     return size * np.exp(-1j * m * np.arctan2(n[..., 1], n[..., 0])[..., None])

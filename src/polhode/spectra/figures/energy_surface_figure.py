@@ -47,7 +47,7 @@ def energy_surface(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
     >>> energy_surface(Rotor((27.0, 14.0, 9.0)), 3).axes[0].get_title()
     'Rotational energy surface, levels of J = 3'
     """
-    curves = list(level_curves(rotor, J))
+    curves = level_curves(rotor, J)
     scale = np.array(rotor.constants) / rotor.constants[0]
     fineness = 96
     unit, faces = ball(fineness)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -54,9 +55,18 @@ def rotor_moments(rotor: Rotor) -> Float64[Array, "3"]:
     return 0.5 / np.array(rotor.constants)
 
 
-def level_curves(rotor: Rotor, J: int) -> Iterator[LevelCurve]:
-    """Yield both polhodes of each level of one J, of a rigid asymmetric rotor, |L| = J + ½."""
-    polhodes = find_polhodes(rotor, J)
+def level_curves(rotor: Rotor, J: int) -> Sequence[LevelCurve]:
+    """Return both polhodes of each level of one J, of a rigid asymmetric rotor, |L| = J + ½."""
+    return _curves(rotor.constants, J)
+
+
+@lru_cache(maxsize=1)  # a report draws them in two figures
+def _curves(constants: tuple[float, float, float], J: int) -> Sequence[LevelCurve]:
+    rotor = Rotor(constants)
+    return tuple(_iterate_curves(rotor, J, find_polhodes(rotor, J)))
+
+
+def _iterate_curves(rotor: Rotor, J: int, polhodes: LevelPolhodes) -> Iterator[LevelCurve]:
     starts = level_directions(rotor.constants, J, polhodes.semiclassical)
     points = 300
     for energy, above, start in zip(polhodes.semiclassical.tolist(), polhodes.above.tolist(), starts, strict=True):

@@ -10,7 +10,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
 from polhode.figures import style
-from polhode.spectra._level_polhodes import level_polhodes
+from polhode.spectra._level_polhodes import find_above
 from polhode.spectra.figures.level_curves import CROWDED, ROUND_A, ROUND_C, side_colour
 from polhode.spectra.reports import WAVE_NUMBER
 from polhode.spectra.rotor import Rotor, find_fallen
@@ -46,7 +46,7 @@ def level_diagram(rotor: Rotor, j_max: int, *, axes: Any = None) -> Figure:
     else:
         figure, (axes,) = style.axes_for(axes)
     top = top or 1.0
-    above = np.concatenate([_above(rotor, J) for J in range(j_max + 1)])
+    above = _above(rotor, j_max)
     left = levels.Kc == levels.J - levels.Ka
     half = 0.33  # of a column's width: the ticks of its two ladders
     start = levels.Ka + np.where(left & (levels.Ka > 0), -half, np.where(levels.Ka > 0, 0.04, -0.5 * half))
@@ -73,13 +73,15 @@ def level_diagram(rotor: Rotor, j_max: int, *, axes: Any = None) -> Figure:
     return figure
 
 
-def _above(rotor: Rotor, J: int) -> Array:
-    polhodes = level_polhodes(rotor.constants, J)
-    if polhodes is not None:
-        return polhodes.above
-    # circles round the axis of symmetry; of a linear molecule round none
+def _above(rotor: Rotor, j_max: int) -> Array:
+    """Return whether the levels with J up to ``j_max`` go round the a axis, as far as their polhodes say so."""
     A, B, C = rotor.constants
-    return np.full(1 if rotor.is_linear else 2 * J + 1, B - C < A - B)
+    count = j_max + 1 if rotor.is_linear else (j_max + 1) ** 2
+    above = np.full(count, B - C < A - B)  # circles round the axis of symmetry; of a linear molecule round none
+    polhodes = find_above(rotor.constants, j_max)
+    if polhodes is not None:
+        above[1:] = polhodes
+    return above
 
 
 def _name(

@@ -42,7 +42,7 @@ def quantum_sphere(rotor: Rotor, J: int, *, axes: Any = None) -> Figure:
     >>> quantum_sphere(Rotor((27.0, 14.0, 9.0)), 3).axes[0].get_title()
     'Levels of J = 3 as polhodes'
     """
-    curves = list(level_curves(rotor, J))
+    curves = level_curves(rotor, J)
     figure, (axes,) = style.axes_for(axes)
     frame = view_frame(VIEW)
     draw_disk(axes)
