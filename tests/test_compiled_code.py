@@ -5,8 +5,9 @@ from types import ModuleType
 
 import pytest
 
+from polhode._base.compiled import kernel_modules
 from polhode._base.compiled.copying import copy_modules
-from polhode._base.compiled.kernel_modules import LOADED, KernelModules, is_worth
+from polhode._base.compiled.kernel_modules import LOADING, KernelModules, is_worth
 
 ONE = """
 from polhode._base.compiled.copying import called, entry, given
@@ -74,7 +75,8 @@ def test_numba_is_not_loaded_where_nothing_is_on_disk(modules, monkeypatch, tmp_
         def is_on_disk(self):
             return not asked.append(1)
 
-    monkeypatch.setattr(KernelModules, "compiled", {"one": {"run": Compiled()}})
+    monkeypatch.setattr(kernel_modules, "has_images", lambda: False)
+    monkeypatch.setattr(KernelModules, "by_numba", {"one": {"run": Compiled()}})
     folder = tmp_path / "one_0"
     folder.mkdir()
     monkeypatch.setattr(KernelModules, "kept_name", "k_1234")
@@ -85,9 +87,19 @@ def test_numba_is_not_loaded_where_nothing_is_on_disk(modules, monkeypatch, tmp_
     assert kernel.is_on_disk("run") and asked == [1]
 
 
-def test_a_kernel_is_compiled_or_loaded_when_it_is_worth_it():
+@pytest.mark.parametrize(("has_images", "loading"), [(True, LOADING.of_image), (False, LOADING.by_numba)])
+def test_a_kernel_is_compiled_or_loaded_when_it_is_worth_it(monkeypatch, has_images, loading):
+    monkeypatch.setattr(kernel_modules, "has_images", lambda: has_images)
     for spent, is_on_disk, wanted in (
-        (0.99 * LOADED, True, False), (LOADED, True, True), (LOADED, False, False), (4.9, False, False),
+        (0.99 * loading, True, False), (loading, True, True), (loading, False, False), (4.9, False, False),
         (5.0, False, True),
     ):  # fmt: skip
         assert is_worth(spent, 5.0, lambda is_on_disk=is_on_disk: is_on_disk) is wanted
+
+
+@pytest.mark.parametrize("has_images", [True, False])
+def test_without_numba_nothing_is_compiled_and_images_are_loaded(monkeypatch, has_images):
+    monkeypatch.setattr(kernel_modules, "has_images", lambda: has_images)
+    monkeypatch.setattr(kernel_modules, "can_compile", lambda: False)
+    assert not is_worth(1e9, 5.0, lambda: False)
+    assert is_worth(1e9, 5.0, lambda: True) is has_images

@@ -15,6 +15,7 @@ import pytest
 import trimesh
 
 import polhode as ph
+from oracle.numpy_alone import python_alone
 from polhode._base.compiled import kernel_modules
 from polhode._base.extras import LIBRARIES, named, not_installed
 from polhode.analysis.twist import racket_twist
@@ -177,6 +178,8 @@ def test_pip_takes_an_extra_from_the_polhode_that_is_installed():
 def test_without_numba_numpy_takes_many(motion, monkeypatch):
     """Within the accuracy that is promised of either; which kernel was taken is seen in the last bits of some."""
     momenta = np.random.default_rng(7).normal(size=(400, 3))
+    monkeypatch.setattr(kernel_modules, "has_images", lambda: False)  # those that are on the disk need no Numba
+    python_alone(monkeypatch)
     by_python = motion(momenta).state(50.0)
     monkeypatch.setattr(kernel_modules, "is_there", lambda name: False)
     by_numpy = motion(momenta).state(50.0)

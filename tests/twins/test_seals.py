@@ -15,6 +15,7 @@ import pytest
 import polhode
 from polhode._base import seals
 from polhode._base.arrays.kept_programs import SealedPrograms
+from polhode._base.compiled import entries as images
 from polhode._base.seals import drop_oldest, read_sealed, seal, unseal, write_sealed
 from polhode.cli import compiled, entries, kept, written
 from polhode.cli.report import run_report
@@ -31,6 +32,7 @@ SEALED = {
     "report": "cli/entries.py", "page": "cli/entries.py", "what a report wrote": "cli/entries.py",
     "mark of a chunk": "sweeps/marks.py",
     "compiled by JAX": "_base/arrays/kept_programs.py", "compiled by Numba": "_base/compiled/compiling.py",
+    "image": "_base/compiled/entries.py",
     "table of units": "spec/kept_units.py", "flags of the compiler": "cli/compiled.py",
 }  # fmt: skip
 """What is kept under a seal, and by which file.
@@ -39,7 +41,8 @@ Not under a seal of its own, and why: arrays of a sweep, whose SHA-256 are in th
 which nothing is taken, as they are compared with what the sweep says (``tests/sweeps/test_damaged_stores.py`` damages
 all of these); locks, which are empty. Python's own compiled files and matplotlib's list of fonts are not polhode's.
 """
-UNPICKLING = {"cli/kept.py", "_base/compiled/compiling.py", "testing/kinds.py"}  # the last one what it has pickled
+# the last one what it has pickled
+UNPICKLING = {"cli/kept.py", "_base/compiled/compiling.py", "_base/compiled/entries.py", "testing/kinds.py"}
 CACHES = {"POLHODE_REPORTS_CACHE", "POLHODE_UNITS_CACHE", "POLHODE_COMPILED_CACHE"}
 SPEC = """
 [body]
@@ -165,6 +168,12 @@ def a_function_of_numba(folder, spec):
     return Path(files._index_path), lambda: files.load("float64")
 
 
+def an_image(folder, spec):
+    place = folder / "f.kernel"
+    write_sealed(place, np.random.default_rng(1).bytes(3000))
+    return place, lambda: read_sealed(place, images.LIMITS.max_bytes)
+
+
 def a_table_of_units(folder, spec):
     kept_units.load_registry(folder / "units")
     (place,) = (folder / "units").iterdir()
@@ -186,7 +195,7 @@ def the_compilers_flags(folder, spec):
 
 WHOLE = {"report": a_report, "page": a_page, "what a report wrote": what_a_report_wrote,
          "mark of a chunk": a_mark, "compiled by JAX": a_program_of_jax,
-         "compiled by Numba": a_function_of_numba, "table of units": a_table_of_units,
+         "compiled by Numba": a_function_of_numba, "image": an_image, "table of units": a_table_of_units,
          "flags of the compiler": the_compilers_flags}  # fmt: skip
 
 
@@ -270,6 +279,16 @@ def test_what_was_sealed_comes_back(tmp_path):
         assert read_sealed(place, len(content)) == content and unseal(seal(content)) == content
     assert read_sealed(place, len(content) - 1) is None and read_sealed(tmp_path / "none", 10) is None
     assert [path.name for path in place.parent.iterdir()] == ["entry"]
+
+
+def test_what_came_with_the_code_may_be_anybodys(tmp_path):
+    """As in an environment that another user has installed; a lost bit is seen there, too."""
+    place = tmp_path / "shipped"
+    write_sealed(place, b"numbers")
+    place.chmod(0o664)
+    assert read_sealed(place, 10) is None and read_sealed(place, 10, installed=True) == b"numbers"
+    place.write_bytes(place.read_bytes()[:-1] + b"t")
+    assert read_sealed(place, 10, installed=True) is None
 
 
 def test_under_another_name_it_is_not_there(tmp_path):

@@ -55,19 +55,22 @@ def write_sealed(path: Path, content: bytes) -> None:
         raise
 
 
-def read_sealed(path: Path, largest: int) -> bytes | None:
+def read_sealed(path: Path, largest: int, installed: bool = False) -> bytes | None:
     """Return the content of a sealed file; None for a missing or damaged one, and for one that others may have written.
 
     Args:
         path: the file.
         largest: bytes that its content may have.
+        installed: whether it came with the code that reads it, and is whoever's that is.
     """
     most = largest + SEAL + 2 + len(path.name.encode())
     try:
         descriptor = os.open(path, os.O_RDONLY | _PLAIN)
         with os.fdopen(descriptor, "rb") as file:
             status = os.fstat(descriptor)
-            if not (stat.S_ISREG(status.st_mode) and status.st_size <= most and _is_of_this_user(status)):
+            if not (stat.S_ISREG(status.st_mode) and status.st_size <= most):
+                return None
+            if not installed and not _is_of_this_user(status):
                 return None
             sealed = file.read(most + 1)
     except (OSError, ValueError):

@@ -15,7 +15,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode._base.compiled.copying import Space
 from polhode._base.compiled.kernel_modules import KernelModules, can_compile, is_worth
 from polhode._base.compiled.threads import in_threads
 from polhode.exact import _kernel_loops as kernel_loops
@@ -44,14 +43,19 @@ COMPILING = CompilingTimes()._asdict()
 
 
 class Kernels(NamedTuple):
-    """Functions of Python, or of Numba, compiled or when first called; the kernels describe each."""
+    """Functions that Python runs, of one body and one time; the kernels describe each."""
 
     unflatten: Callable[..., Any]
     state_at: Callable[..., State]
+    set_up_one: Callable[..., Any]
+
+
+class Compiled(NamedTuple):
+    """Functions that are compiled, of many."""
+
+    set_up: Callable[..., None]
     states_of_one: Callable[..., None]
     states_of_many: Callable[..., None]
-    set_up: Callable[..., None]
-    set_up_one: Callable[..., Any]
 
 
 class ClosedForm:
@@ -77,16 +81,13 @@ class ClosedForm:
 
     @cached_property
     def _python(self) -> Kernels:
-        return self._kernels(self._modules.by_python())
+        spaces = self._modules.by_python()
+        setup, loops = spaces[f"{self._package}._kernel_setup"], spaces[kernel_loops.__name__]
+        return Kernels(loops["unflatten"], loops["state_at"], setup["set_up_one"])
 
     @cached_property
-    def _compiled(self) -> Kernels:
-        return self._kernels(self._modules.compiled)
-
-    def _kernels(self, spaces: dict[str, Space]) -> Kernels:
-        setup, loops = spaces[f"{self._package}._kernel_setup"], spaces[kernel_loops.__name__]
-        return Kernels(**{name: loops[name] for name in Kernels._fields[:4]}, set_up=setup["set_up"],
-                       set_up_one=setup["set_up_one"])
+    def _compiled(self) -> Compiled:
+        return Compiled(*(self._modules.entry(name) for name in Compiled._fields))
 
     @cached_property
     def _sizes(self) -> tuple[int, int]:

@@ -2,8 +2,8 @@
 
 A third form moves one copy at a time with twice as many digits.
 
-Compiling takes seconds, once for an installation, and loading what was compiled a third of one. Short runs are over by
-then, and are left to Python, and few copies to the kernel that moves them one after the other.
+Compiling takes seconds, once for an installation. Short runs are over by then, and are left to Python, and few copies
+to the kernel that moves them one after the other. What was compiled before is loaded at once.
 """
 
 from __future__ import annotations
@@ -12,8 +12,7 @@ from functools import cache
 from types import ModuleType
 from typing import Any, ClassVar, NamedTuple
 
-from polhode._base.compiled.copying import Space
-from polhode._base.compiled.kernel_modules import LOADED, KernelModules, can_compile, is_worth
+from polhode._base.compiled.kernel_modules import KernelModules, can_compile, is_worth, loading_time
 from polhode.special import _doubledouble as doubledouble
 from polhode.taylor import (
     kernel,
@@ -50,6 +49,7 @@ class CodeLimits(NamedTuple):
     seconds_of_one: float = 10.0
     seconds_of_lanes: float = 12.0
     seconds_of_extended: float = 12.0
+    seconds_of_least_run: float = 0.01  # s that Python takes for the shortest run, about
     min_seconds_of_operation: float = 1e-3  # s of slower runs for each operation, in which writing pays off
     max_operations: int = 4000
     max_integral_operations: int = 4000  # compiling takes longer than in proportion: 18,000 take 17 s and 1 GB
@@ -129,12 +129,13 @@ def note_rest(use: Kernel, extended: bool, spent: float, seconds: float) -> None
     The progress meter extrapolates from the first second, so a run must not spend ten in Python before it is compiled.
     """
     width = EXTENDED if extended else 1
-    if not use.is_compiled and spent >= LOADED and seconds >= COMPILED[width] and can_compile():
+    if not use.is_compiled and spent >= loading_time() and seconds >= COMPILED[width] and can_compile():
         _Spent.ready.add(width)
 
 
 def _is_worth(width: int, spent: float) -> bool:
-    if width not in _Spent.ready and is_worth(spent, COMPILED[width], lambda: _is_on_disk(width)):
+    seconds = spent + LIMITS.seconds_of_least_run
+    if width not in _Spent.ready and is_worth(seconds, COMPILED[width], lambda: _is_on_disk(width)):
         _Spent.ready.add(width)
     return width in _Spent.ready
 
@@ -143,18 +144,15 @@ def _is_worth(width: int, spent: float) -> bool:
 def python_kernel(width: int) -> Kernel:
     """Return the kernel as it is written, of one copy with NumPy for what all components have in common."""
     replaced = {name: getattr(kernel_at_once, name) for name in AT_ONCE} if width == 1 else {}
-    return _kernel(width, _modules(width).by_python(replaced), False, 1_000)
+    space = _modules(width).by_python(replaced)[kernel.__name__]
+    return Kernel(_lanes(width), False, space["advance"], space["conserved_values"], 1_000)
 
 
 @cache
 def compile_kernel(width: int) -> Kernel:
     """Return the kernel as Numba compiles it when it is first called, or has it on the disk."""
-    return _kernel(width, _modules(width).compiled, True, 2_000_000)
-
-
-def _kernel(width: int, spaces: dict[str, Space], is_compiled: bool, stretch: int) -> Kernel:
-    advance, conserved_values = (spaces[kernel.__name__][name] for name in ENTRIES)
-    return Kernel(_lanes(width), is_compiled, advance, conserved_values, stretch)
+    advance, conserved_values = (_modules(width).entry(name) for name in ENTRIES)
+    return Kernel(_lanes(width), True, advance, conserved_values, 2_000_000)
 
 
 def _lanes(width: int) -> int:
@@ -177,4 +175,5 @@ def _for_numba(width: int) -> dict[str, Any]:
 @cache
 def _is_on_disk(width: int) -> bool:
     """Whether Numba has compiled it before."""
-    return all(_modules(width).is_on_disk(name) for name in ENTRIES)
+    names = ENTRIES[:1] if width == EXTENDED else ENTRIES  # whose conserved quantities others compute
+    return all(_modules(width).is_on_disk(name) for name in names)

@@ -1,32 +1,22 @@
-"""Functions that Numba compiles when they are first called, and keeps on disk, under seals."""
+"""Functions that Numba compiles when they are first called, and keeps where there are no images, under seals."""
 
 from __future__ import annotations
 
 import pickle
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from types import FunctionType
-from typing import Any, NamedTuple
+from typing import Any
 
 from numba import njit, typeof
 from numba.core import event
 from numba.core.caching import IndexDataCacheFile
 
+from polhode._base.compiled.entries import LIMITS, alone
 from polhode._base.seals import read_sealed, write_sealed
 
 _TAKE: Any = njit  # whose types do not know all of its options
-
-
-class CompilingLimits(NamedTuple):
-    """Numbers that decide how long another process is waited for, and which files are read."""
-
-    max_wait: float = 600.0  # s that another process may take to compile
-    max_bytes: int = 100_000_000  # of a compiled function, of which the largest has some hundred thousand
-
-
-LIMITS = CompilingLimits()
 
 
 def compile_part(function: Callable[..., Any], inlined: bool = True) -> Any:
@@ -60,7 +50,7 @@ class CompiledFunction:
     """
 
     def __init__(self, what: str, function: FunctionType) -> None:
-        self.what = what
+        self.what, self.function = what, function
         self.dispatcher: Any = _TAKE(error_model="numpy", nogil=True, cache=True)(function)
         _seal_files(self.dispatcher)
         self._is_ready = False  # the dispatcher's own list takes longer to ask than a short run
@@ -77,25 +67,10 @@ class CompiledFunction:
 
     def __call__(self, *arguments: Any) -> Any:
         if not self._is_ready:
-            with self._alone():
+            with alone(self._place / f"{self.dispatcher.__qualname__}.lock", LIMITS.max_wait):
                 self.dispatcher.compile(tuple(map(typeof, arguments)))
             self._is_ready = True
         return self.dispatcher(*arguments)
-
-    @contextmanager
-    def _alone(self) -> Iterator[None]:
-        try:
-            from filelock import FileLock
-
-            lock = FileLock(self._place / f"{self.dispatcher.__qualname__}.lock", timeout=LIMITS.max_wait)
-            lock.acquire()
-        except (ImportError, OSError, NotImplementedError):  # not there, read-only, without locks, held for too long
-            yield
-            return
-        try:
-            yield
-        finally:
-            lock.release()
 
     @property
     def _place(self) -> Path:

@@ -17,9 +17,6 @@ from typing import Any
 
 import numpy as np
 
-from polhode._base.plugins.code import find_version
-
-COMPILED_BY = ("numba", "llvmlite", "numpy")
 CONSTANTS = bool | int | float | complex | str | tuple | frozenset | None
 
 
@@ -30,7 +27,7 @@ def digest_compiled(modules: Iterable[ModuleType], files: Iterable[str] = ()) ->
         modules: whose functions are compiled.
         files: further ones that decide how, beside those of this room.
     """
-    digest = hashlib.sha256(repr([(name, find_version(name)) for name in COMPILED_BY]).encode())
+    digest = hashlib.sha256()
     for path in (*sorted(Path(__file__).parent.glob("*.py")), *files):
         digest.update(Path(path).read_bytes())
     waiting, digested = [module.__name__ for module in modules], set[str]()

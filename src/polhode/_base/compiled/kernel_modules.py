@@ -1,7 +1,7 @@
 """The modules of a kernel, as Python runs them and as Numba compiles them, with equal bits.
 
-Numba takes a third of a second to load, and some seconds to compile a kernel, once for an installation. Neither is
-worth it for little work. polhode does without it where it is not installed.
+Numba takes some seconds to compile a kernel, once for an installation, which is not worth it for little work. polhode
+does without it where it is not installed.
 """
 
 from __future__ import annotations
@@ -13,28 +13,44 @@ from importlib.util import find_spec
 from inspect import unwrap
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, NamedTuple
 
 from polhode._base.compiled.copying import NOTHING, Space, copy_modules
+from polhode._base.compiled.entries import Entry
+from polhode._base.compiled.images import has_images
 from polhode._base.extras import is_there
 
-LOADED = 0.3  # s of Python's time from which loading a kernel is worth it
+
+class LoadingTimes(NamedTuple):
+    """Python's time [s] from which loading what lies on the disk is worth it: about what that takes."""
+
+    of_image: float = 4e-3  # most of it for reading the sources that it has to come from
+    by_numba: float = 0.3  # whose import takes longer
+
+
+LOADING = LoadingTimes()
 
 
 def can_compile() -> bool:
-    """Return whether Numba is installed, without which all kernels are run by Python or NumPy."""
+    """Return whether Numba is installed, without which no kernel is compiled."""
     return is_there("numba") and is_there("llvmlite")
+
+
+def loading_time() -> float:
+    """Return Python's time [s] from which loading a kernel is worth it."""
+    return LOADING.of_image if has_images() else LOADING.by_numba
 
 
 def is_worth(spent: float, compiling: float, is_on_disk: Callable[[], bool]) -> bool:
     """Return whether a kernel is to be compiled or loaded.
 
     Args:
-        spent: time [s] that Python has spent on the kernel's work.
+        spent: time [s] that Python has spent on the kernel's work, or will have.
         compiling: time [s] that Numba takes to compile it.
         is_on_disk: says whether it has been compiled before.
     """
-    return can_compile() and (spent >= compiling or (spent >= LOADED and is_on_disk()))
+    can_load = has_images() or can_compile()
+    return (can_compile() and spent >= compiling) or (can_load and spent >= loading_time() and is_on_disk())
 
 
 class KernelModules:
@@ -61,12 +77,20 @@ class KernelModules:
         return copy_modules(self.modules, lambda function, _: function, replaced, self.joined)
 
     @cached_property
-    def compiled(self) -> dict[str, Space]:
+    def by_numba(self) -> dict[str, Space]:
         """The names, with functions that Numba compiles when they are first called."""
         from polhode._base.compiled.compiling import compile_later  # which loads Numba
 
         make = lambda function, mark: compile_later(function, mark, self.what, self.kept_name)  # noqa: E731
         return copy_modules(self.modules, make, self._numba(), self.joined)
+
+    def entry(self, name: str) -> Any:
+        """Return a function that is compiled, or loaded from the disk, when it is first called."""
+        (module,) = (module for module in self.modules if _has_entry(module, name))
+        by_numba = lambda: self.by_numba[module.__name__][name]  # noqa: E731
+        if not has_images():
+            return by_numba()
+        return Entry(f"{name}_{self.kept_name}", self.what, Path(str(module.__file__)), by_numba)
 
     @cached_property
     def kept_name(self) -> str:
@@ -77,14 +101,16 @@ class KernelModules:
         return f"{self._name}_{digest_compiled(self.modules, [spec.origin for spec in specs if spec and spec.origin])}"
 
     def is_on_disk(self, name: str) -> bool:
-        """Return whether Numba has compiled a function before; mostly without Numba, whose import takes longer."""
+        """Return whether a function has been compiled before; mostly without Numba, whose import takes longer."""
+        if has_images():
+            return self.entry(name).is_on_disk()
         (module,) = (module for module in self.modules if _has_entry(module, name))
         named, folder = os.environ.get("NUMBA_CACHE_DIR"), Path(str(module.__file__)).parent / "__pycache__"
         if named or os.access(folder, os.W_OK):  # else Numba chooses another place
             place, within = (Path(named), "*/") if named else (folder, "")
             if not any(place.glob(f"{within}*{name}_{self.kept_name}-*.nbi")):
                 return False
-        return self.compiled[module.__name__][name].is_on_disk()
+        return self.entry(name).is_on_disk()
 
 
 def _has_entry(module: ModuleType, name: str) -> bool:

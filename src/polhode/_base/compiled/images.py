@@ -1,0 +1,181 @@
+"""Images: a compiled function with all that it calls, as bytes that are mapped into memory and called.
+
+Loading one takes a millisecond, where Numba or LLVM take a tenth of a second before they load anything. LLVM writes
+object code for which a linker would have little to do: in the large model of code, as Numba has it on x86-64, each
+address within the function and of the functions of libm is a whole number of eight bytes. So an image is the object's
+sections side by side, with the places of these addresses. Other systems and processors have none.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import mmap
+import platform
+import struct
+import sys
+from collections.abc import Callable
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+# of libc and libm, which the process has; anything else is a part of Numba or of Python that must not be left out
+OUTSIDE = frozenset((
+    "acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh", "ceil", "copysign", "cos", "cosh", "exp", "exp2",
+    "expm1", "fabs", "floor", "fma", "fmod", "frexp", "hypot", "ldexp", "log", "log10", "log1p", "log2", "nearbyint",
+    "pow", "rint", "round", "sin", "sincos", "sinh", "sqrt", "tan", "tanh", "trunc", "free", "malloc", "memcpy",
+    "memmove", "memset",
+))  # fmt: skip
+SAME = {"numba_frexp": "frexp", "numba_ldexp": "ldexp"}  # which those of glibc are, for infinity and NaN as well
+WRITABLE, LOADED_WITH = 1, 2  # flags of a section
+PLAIN, ZEROS, RELOCATIONS, SYMBOLS = 1, 8, 4, 2  # kinds of one
+ABSOLUTE, RELATIVE = 1, 24  # kinds of an address: from zero, and from its own place
+LINES = ("vendor_id", "cpu family", "model", "flags")  # by which LLVM knows a processor
+LEVELS = {
+    "x86-64-v4": {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"},
+    "x86-64-v3": {"avx", "avx2", "bmi1", "bmi2", "f16c", "fma", "abm", "movbe"},
+}  # fmt: skip
+"""Classes of processors and what they add to the one below, the best first, under their names for LLVM."""
+
+
+class Image(NamedTuple):
+    """Machine code and its addresses.
+
+    Attributes:
+        code: of all functions, with their constants.
+        entry: where the one begins that is called.
+        places: of addresses within the image, and ``targets`` these, from its beginning.
+        outside: by the name of a function outside, the places of its address.
+    """
+
+    code: bytes
+    entry: int
+    places: tuple[int, ...]
+    targets: tuple[int, ...]
+    outside: dict[str, tuple[int, ...]]
+
+
+class _Section(NamedTuple):
+    name: int
+    kind: int
+    flags: int
+    address: int
+    offset: int
+    size: int
+    link: int
+    about: int
+    alignment: int
+    row: int
+
+
+class CannotLink(ValueError):
+    """Object code that no image can be made of."""
+
+
+@cache
+def has_images() -> bool:
+    """Return whether this process can run images."""
+    head = 16  # bytes of an object, which are more with Py_TRACE_REFS and where there is no lock: see ``objects``
+    is_this_python = sys.implementation.name == "cpython" and object.__basicsize__ == head
+    return sys.platform == "linux" and platform.machine() == "x86_64" and is_this_python
+
+
+@cache
+def processors() -> tuple[str, ...]:
+    """Return names of this processor under which images for it are kept: its own, then its classes, the best first."""
+    read = read_processor()
+    own = sha256(repr([read.get(key) for key in LINES]).encode()).hexdigest()[:8]
+    flags, needed, classes = set(read.get("flags", "").split()), set[str](), list[str]()
+    for level in reversed(LEVELS):
+        needed |= LEVELS[level]
+        classes = [level, *classes] if needed <= flags else classes
+    return own, *classes
+
+
+def read_processor() -> dict[str, str]:
+    """Return what Linux says of the first core."""
+    with Path("/proc/cpuinfo").open("rb", buffering=0) as file:
+        text = file.read(8192).decode("ascii", "replace")  # of the first few, as all are listed one after the other
+    rows = (line.partition(":") for line in text.partition("\n\n")[0].splitlines())
+    return {key.strip(): value.strip() for key, _, value in rows}
+
+
+def load(image: Image) -> Callable[[bytes], int]:
+    """Return the function of an image, which takes the address of its arguments.
+
+    Raises:
+        OSError: where the system allows no code but that of files.
+    """
+    memory = mmap.mmap(-1, len(image.code), mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS, mmap.PROT_READ | mmap.PROT_WRITE)
+    memory[:] = image.code
+    own, process = np.frombuffer(memory, np.uint8), ctypes.CDLL(None)
+    base = own.ctypes.data
+    _put(own, image.places, np.array(image.targets, np.int64) + base)
+    for name, places in image.outside.items():
+        address = ctypes.cast(getattr(process, name), ctypes.c_void_p).value
+        _put(own, places, np.full(len(places), address, np.int64))
+    process.mprotect.argtypes = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_int
+    if process.mprotect(base, len(image.code), mmap.PROT_READ | mmap.PROT_EXEC):
+        raise OSError("memory cannot be made executable")
+    function: Any = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_char_p)(base + image.entry)
+    function.memory = own  # which goes with it
+    return function
+
+
+def _put(code: Any, places: tuple[int, ...], addresses: Any) -> None:
+    if places:
+        code[np.array(places)[:, None] + np.arange(8)] = addresses.view(np.uint8).reshape(-1, 8)
+
+
+def link(built: bytes, entry: str) -> Image:
+    """Return the image of object code in ELF that begins with a function of this name.
+
+    Raises:
+        CannotLink: of what cannot be in one.
+    """
+    if built[:6] != b"\x7fELF\x02\x01" or struct.unpack_from("<H", built, 18) != (62,):
+        raise CannotLink("no object of x86-64")
+    (table,), (row, count) = struct.unpack_from("<Q", built, 40), struct.unpack_from("<HH", built, 58)
+    sections = [_Section(*struct.unpack_from("<IIQQQQIIQQ", built, table + k * row)) for k in range(count)]
+    code, starts = bytearray(), dict[int, int]()
+    for k, section in enumerate(sections):
+        if section.kind in (PLAIN, ZEROS) and section.flags & LOADED_WITH and section.size:
+            if section.flags & WRITABLE or section.kind == ZEROS:
+                raise CannotLink("it keeps something between two calls")
+            code += bytes(-len(code) % max(section.alignment, 1))
+            starts[k] = len(code)
+            code += built[section.offset : section.offset + section.size]
+    symbols = _read_symbols(built, sections)
+    begins = next((starts[home] + value for name, home, value in symbols if name == entry and home in starts), None)
+    if begins is None:
+        raise CannotLink(f"there is no {entry}")
+    within, outside = dict[int, int](), dict[str, tuple[int, ...]]()
+    for section in sections:
+        if section.kind != RELOCATIONS or section.about not in starts:
+            continue
+        for k in range(section.offset, section.offset + section.size, 24):
+            place, about, more = struct.unpack_from("<QQq", built, k)
+            place, kind, (name, home, value) = starts[section.about] + place, about & 0xFFFFFFFF, symbols[about >> 32]
+            target = starts[home] + value + more if home in starts else None
+            if kind == ABSOLUTE and target is not None:
+                within[place] = target
+            elif kind == RELATIVE and target is not None:
+                struct.pack_into("<q", code, place, target - place)
+            elif kind == ABSOLUTE and home == 0 and more == 0 and (known := SAME.get(name, name)) in OUTSIDE:
+                outside[known] = (*outside.get(known, ()), place)
+            else:
+                raise CannotLink(f"address of {name}")
+    return Image(bytes(code), begins, tuple(within), tuple(within.values()), outside)
+
+
+def _read_symbols(built: bytes, sections: list[_Section]) -> list[tuple[str, int, int]]:
+    """Return name, section and place of each symbol."""
+    (table,) = (section for section in sections if section.kind == SYMBOLS)
+    names = sections[table.link].offset
+    found = []
+    for k in range(table.offset, table.offset + table.size, 24):
+        name, _, _, home, value, _ = struct.unpack_from("<IBBHQQ", built, k)
+        found.append((built[names + name : built.index(b"\0", names + name)].decode(), home, value))
+    return found

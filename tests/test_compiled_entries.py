@@ -1,0 +1,240 @@
+"""Compiled functions on the disk: what is loaded, and what is compiled again; tests/exact and tests/taylor run them."""
+
+import ctypes
+import math
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from llvmlite import binding, ir
+
+from polhode._base.compiled import entries, images, objects
+from polhode._base.compiled.compiling import CompiledFunction
+from polhode._base.compiled.entries import ENDING, Entry
+
+pytestmark = pytest.mark.skipif(not images.has_images(), reason="images are for Linux on x86-64")
+
+
+def add_up(pair, scale, places, out):
+    """Use what kernels use: tuples, numbers of both kinds, arrays of two axes, memory, and libm."""
+    room = np.zeros(out.shape[1])
+    for i in range(out.shape[0]):
+        for j in range(out.shape[1]):
+            room[j] += scale * pair[0][i, j]
+            out[i, j] = room[j] + math.exp(pair[1]) + places[i]
+
+
+def add_in_python(pair, scale, places, out):
+    room = np.zeros(out.shape[1])
+    for i in range(out.shape[0]):
+        room += scale * pair[0][i]
+        out[i] = room + math.exp(pair[1]) + places[i]
+
+
+@pytest.fixture
+def given():
+    return (np.arange(6.0).reshape(2, 3), 0.3), 2, np.array([5, 7])
+
+
+@pytest.fixture
+def compiled(monkeypatch):
+    """Return the list of what is compiled from now on."""
+    names, own = [], objects.build_image
+    monkeypatch.setattr(objects, "build_image", lambda *x: names.append(x[0].__name__) or own(*x))
+    return names
+
+
+def entry(folder, monkeypatch, name="add_up_1234"):
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(folder))
+    return Entry(name, "sums", folder / "module.py", lambda: CompiledFunction("sums", add_up))
+
+
+def check(function, given):
+    found, wanted = np.zeros((2, 3)), np.zeros((2, 3))
+    function(*given, found)
+    add_in_python(*given, wanted)
+    assert (found == wanted).all()
+
+
+def files(folder):
+    return sorted(folder.rglob(f"*{ENDING}"))
+
+
+def test_it_is_compiled_once_and_loaded_then(given, compiled, monkeypatch, tmp_path):
+    first = entry(tmp_path, monkeypatch)
+    assert not first.is_on_disk()
+    check(first, given)
+    check(first, given)
+    again = entry(tmp_path, monkeypatch)
+    assert again.is_on_disk()
+    check(again, given)
+    assert compiled == ["add_up"] and len(files(tmp_path)) == 1
+
+
+def damage(path, monkeypatch):
+    content = bytearray(path.read_bytes())
+    content[len(content) // 2] ^= 1
+    path.write_bytes(content)
+
+
+def rename(path, monkeypatch):
+    path.rename(path.with_name(path.name.replace("1234", "9999")))
+
+
+def let_others_write(path, monkeypatch):
+    path.chmod(0o666)
+
+
+def change_processor(path, monkeypatch):
+    monkeypatch.setattr(entries, "processors", lambda: ("another",))
+
+
+def change_nothing(path, monkeypatch):
+    pass
+
+
+@pytest.mark.parametrize(("change", "count"), [
+    (damage, 2), (rename, 2), (let_others_write, 2), (change_processor, 2), (change_nothing, 1),
+])  # fmt: skip
+def test_what_is_not_what_was_written_is_compiled_again(change, count, given, compiled, monkeypatch, tmp_path):
+    check(entry(tmp_path, monkeypatch), given)
+    (path,) = files(tmp_path)
+    change(path, monkeypatch)
+    check(entry(tmp_path, monkeypatch), given)
+    assert len(compiled) == count
+    check(entry(tmp_path, monkeypatch), given)
+    assert len(compiled) == count
+
+
+def test_a_folder_that_cannot_be_written_changes_nothing(given, compiled, monkeypatch, tmp_path):
+    (tmp_path / "polhode").write_text("")
+    check(entry(tmp_path, monkeypatch), given)
+    assert compiled == ["add_up"] and not files(tmp_path)
+
+
+def test_where_no_image_can_be_made_or_run_numba_does_it(given, monkeypatch, tmp_path):
+    def refuse(*given):
+        raise images.CannotLink
+
+    def forbid(image):
+        raise OSError
+
+    for module, name, wrong in ((objects, "link", refuse), (entries, "load", forbid)):
+        with monkeypatch.context() as patch:
+            patch.setattr(module, name, wrong)
+            function = entry(tmp_path / name, patch)
+            check(function, given)
+            assert function._numba is not None and not function._runs
+
+
+def test_each_form_of_arguments_has_an_image_of_its_own(given, compiled, monkeypatch, tmp_path):
+    (values, x), _, places = given
+    function = entry(tmp_path, monkeypatch)
+    others = ((values, x), 2.0, places), ((values, x), 2, places.astype(float)), ((values[:1], x), 3, places)
+    for form in (given, *others):
+        check_rows = np.zeros((1, 3)), np.zeros((1, 3))
+        function(*form, check_rows[0])
+        add_in_python(*form, check_rows[1])
+        assert (check_rows[0] == check_rows[1]).all()
+    values.flags.writeable = False
+    check(function, given)
+    assert len(compiled) == len(files(tmp_path)) == 4
+
+
+@pytest.mark.parametrize("strided", [
+    np.zeros((3, 2)).T, np.zeros((2, 6))[:, ::2], np.zeros(49, np.int8)[1:].view(float),
+])  # fmt: skip
+def test_arrays_that_compiled_code_would_misread_are_refused(strided, given, monkeypatch, tmp_path):
+    with pytest.raises(TypeError, match="order of C"):
+        entry(tmp_path, monkeypatch)(*given, strided)
+
+
+# ---------------------------------------------------------------------- objects of which no image can be made
+
+
+def build(write):
+    """Return the object code of a module with one function, as Numba has it written."""
+    binding.initialize_native_target()
+    binding.initialize_native_asmprinter()
+    module = ir.Module()
+    function = ir.Function(module, ir.FunctionType(ir.IntType(32), [ir.DoubleType().as_pointer()]), "run")
+    builder = ir.IRBuilder(function.append_basic_block())
+    write(module, builder, function.args[0])
+    builder.ret(ir.IntType(32)(0))
+    target = binding.Target.from_triple(binding.get_process_triple())
+    machine = target.create_target_machine(opt=2, reloc="static", codemodel="large")
+    return machine.emit_object(binding.parse_assembly(str(module)))
+
+
+def call(name):
+    def write(module, builder, place):
+        kind = ir.FunctionType(ir.DoubleType(), [ir.DoubleType()])
+        builder.store(builder.call(ir.Function(module, kind, name), [builder.load(place)]), place)
+
+    return write
+
+
+def keep(module, builder, place):
+    kept = ir.GlobalVariable(module, ir.DoubleType(), "kept")
+    kept.initializer = ir.DoubleType()(1.0)
+    builder.store(builder.fadd(builder.load(kept), builder.load(place)), kept)
+
+
+def test_a_function_of_libm_is_called():
+    image, number = images.link(build(call("sinh")), "run"), np.array([0.7])
+    with_address = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
+    function = images.load(image)
+    assert ctypes.cast(function, with_address)(number.ctypes.data) == 0
+    assert image.outside.keys() == {"sinh"} and number[0] == math.sinh(0.7)
+
+
+@pytest.mark.parametrize(("built", "why"), [
+    (build(call("PyErr_Clear")), "PyErr_Clear"), (build(keep), "between two calls"), (b"MZ" + bytes(100), "no object"),
+    (build(call("sinh")).replace(b"run\0", b"ran\0"), "no run"),
+])  # fmt: skip
+def test_what_needs_more_than_libm_or_keeps_something_is_refused(built, why):
+    with pytest.raises(images.CannotLink, match=why):
+        images.link(built, "run")
+
+
+def test_names_of_processors(monkeypatch, tmp_path):
+    """A class is named where all that it may do is there: of the one below, too."""
+    own, *classes = images.processors()
+    assert len(own) == 8 and set(classes) <= set(images.LEVELS)
+    below, above = sorted(images.LEVELS["x86-64-v3"]), sorted(images.LEVELS["x86-64-v4"])
+    for flags, wanted in (
+        (below + above, ["x86-64-v4", "x86-64-v3"]), (below, ["x86-64-v3"]), (below[1:] + above, []),
+        (below + above[1:], ["x86-64-v3"]),
+    ):  # fmt: skip
+        monkeypatch.setattr(images, "read_processor", lambda flags=flags: {"model": "1", "flags": " ".join(flags)})
+        assert images.processors.__wrapped__()[1:] == tuple(wanted)
+
+
+FIRST_CALL = """
+import sys
+import numpy as np, polhode as ph
+from polhode._base.compiled import entries
+loaded, own = [], entries.Entry._load
+def load(self, form):
+    found = own(self, form)
+    loaded.append((self.name.rpartition("_")[0], found is not None))
+    return found
+entries.Entry._load = load
+times = np.linspace(0.0, 9.0, 3000)
+attitude, momentum = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.ones((3000, 1)) * (0.3, 1.8, 1.5)).state(times)
+print(sorted(loaded), "numba" in sys.modules, "llvmlite" in sys.modules, attitude[-1].tobytes().hex())
+"""
+
+
+@pytest.mark.long
+def test_the_first_call_of_a_process_loads_what_is_on_the_disk(tmp_path):
+    """Whatever its size was, Python did it until a third of a second had gone by, and then Numba was loaded."""
+    forced = "from polhode.exact._closed_form import COMPILING\nCOMPILING.update(dict.fromkeys(COMPILING, 0.0))\n"
+    environment, said = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}, []
+    for code in (forced + FIRST_CALL, FIRST_CALL):
+        command = [sys.executable, "-c", code]
+        said.append(subprocess.run(command, env=environment, check=True, capture_output=True, text=True).stdout)
+    wanted = [("set_up_free_body", True), ("states_of_many_free_body", True)]
+    assert said[1].startswith(f"{wanted} False False") and said[1].split()[-1] == said[0].split()[-1]
