@@ -1,4 +1,4 @@
-"""Compiles the kernels for classes of processors, for the wheel: ``python .ci/ship_kernels.py``.
+"""Compiles all kernels for classes of processors, for the wheel: ``python .ci/ship_kernels.py``.
 
 Each class has a process of its own, as Numba compiles for one processor in a process. Nothing of what is compiled runs,
 as this machine may be of a lower class.
@@ -61,7 +61,17 @@ if __name__ == "__main__":
     if len(sys.argv) > 1:
         ship(sys.argv[1])
     else:
+        for old in entries.SHIPPED.glob("*"):
+            old.unlink()
+        started = []
         for name in images.LEVELS:
             chosen = {"NUMBA_CPU_NAME": name, "NUMBA_CPU_FEATURES": ""}
-            subprocess.run([sys.executable, __file__, name], env=os.environ | chosen, check=True)
-        print(*(f"{path.stat().st_size:>8} {path.name}" for path in sorted(entries.SHIPPED.iterdir())), sep="\n")
+            started.append(subprocess.Popen([sys.executable, __file__, name], env=os.environ | chosen))
+        codes = [process.wait() for process in started]
+        for lock in entries.SHIPPED.glob("*.lock"):
+            lock.unlink()
+        written = sorted(entries.SHIPPED.glob(f"*{entries.ENDING}"))
+        print(*(f"{path.stat().st_size:>8} {path.name}" for path in written), sep="\n")
+        # set-up, states of one and of many, of bodies and of tops; steps and what is conserved, of one copy and of
+        # eight; steps with twice as many digits
+        sys.exit(any(codes) or len(written) != (2 * 3 + 2 * 2 + 1) * len(images.LEVELS))

@@ -13,6 +13,7 @@ from llvmlite import binding, ir
 from polhode._base.compiled import entries, images, objects
 from polhode._base.compiled.compiling import CompiledFunction
 from polhode._base.compiled.entries import ENDING, Entry
+from polhode._base.seals import read_sealed, write_sealed
 
 pytestmark = pytest.mark.skipif(not images.has_images(), reason="images are for Linux on x86-64")
 
@@ -93,6 +94,34 @@ def change_processor(path, monkeypatch):
 
 def change_nothing(path, monkeypatch):
     pass
+
+
+def ship(path, monkeypatch, level):
+    """Have an image lie where a release has them, in the name of a class, in an environment of somebody else's."""
+    shipped = path.parent / "shipped"
+    monkeypatch.setattr(entries, "SHIPPED", shipped)
+    place = shipped / f"{path.stem.rpartition('_')[0]}_{level}{ENDING}"
+    write_sealed(place, read_sealed(path, 10**6))
+    place.chmod(0o664)
+    path.unlink()
+    return place
+
+
+@pytest.mark.parametrize(("classes", "count"), [(["x86-64-v3"], 1), (["x86-64-v4", "x86-64-v3"], 1), ([], 2)])
+def test_what_came_with_a_release_is_loaded_on_its_class_of_processors(
+    classes, count, given, compiled, monkeypatch, tmp_path
+):
+    check(entry(tmp_path, monkeypatch), given)
+    place = ship(*files(tmp_path), monkeypatch, "x86-64-v3")
+    monkeypatch.setattr(entries, "processors", lambda: ("another", *classes))
+    function = entry(tmp_path, monkeypatch)
+    assert function.is_on_disk() is (count == 1)
+    check(function, given)
+    assert len(compiled) == count
+    if count == 1:
+        damage(place, monkeypatch)
+        check(entry(tmp_path, monkeypatch), given)
+        assert len(compiled) == 2
 
 
 @pytest.mark.parametrize(("change", "count"), [
