@@ -4,10 +4,10 @@ import { stateAt } from "./formulas/lagrange_top.js";
 import { integralsOf } from "./formulas/lagrange_top_integrals.js";
 import { numbers } from "./formulas/lagrange_top_numbers.js";
 import { frequencies } from "./formulas/lagrange_top_rates.js";
+import { reduction } from "./formulas/lagrange_top_reduction.js";
+import { turningPoints } from "./formulas/lagrange_top_roots.js";
 import { arguments_ as lattice, motionOf } from "./formulas/lagrange_top_setup.js";
-import { turningPoints } from "./formulas/lagrange_top_turning_points.js";
 import { normalize, rotate } from "./quaternion.js";
-import { reducedTop } from "./top_reduction.js";
 
 const REGIMES = [
   "rest", "sleeping", "hanging", "steady", "free", "planar", "undulating", "cusp", "loop", "separatrix",
@@ -50,7 +50,7 @@ export class LagrangeMotion {
     this.attitudeAtEpoch = unitQuaternion(attitude);
     this.epoch = finite("epoch", epoch, "seconds");
     const L = this.momentumAtEpoch;
-    const top = reducedTop(this.moments, this.mgl, L, this.attitudeAtEpoch);
+    const top = reduction(this.moments, this.mgl, L, this.attitudeAtEpoch);
     const points = turningPoints(top);
     const rates = frequencies(top, points);
     const turning = Math.max(...L.map((x, k) => Math.abs(x / this.moments[k])));

@@ -463,6 +463,78 @@ static inline phd_two_pairs phd_third_kind_mean(phd_pair a, phd_pair g, phd_pair
     return phd_make_two_pairs(phd_scale(mean, phd_times_power(1.0, power)), total);
 }
 
+/* ---------------------------------------------------------------- exact sums, words of the formulas too */
+
+/* An unevaluated sum of floats, exact. Shewchuk 1997. */
+typedef struct { int count; double term[64]; } phd_sum;
+
+static inline phd_sum phd_as_sum(phd_pair x)
+{
+    phd_sum s;
+    s.count = 2;
+    s.term[0] = x.hi;
+    s.term[1] = x.lo;
+    return s;
+}
+
+static inline phd_sum phd_join(phd_sum x, phd_sum y)
+{
+    for (int k = 0; k < y.count; k++) x.term[x.count++] = y.term[k];
+    return x;
+}
+
+static inline phd_sum phd_negated(phd_sum x)
+{
+    for (int k = 0; k < x.count; k++) x.term[k] = -x.term[k];
+    return x;
+}
+
+static inline phd_sum phd_multiply_terms(phd_sum x, double factor)
+{
+    phd_sum s;
+    s.count = 0;
+    for (int k = 0; k < x.count; k++) {
+        const phd_pair p = phd_two_product(x.term[k], factor);
+        s.term[s.count++] = p.hi;
+        s.term[s.count++] = p.lo;
+    }
+    return s;
+}
+
+/* Moves the leading parts to the end; the sum stays exactly what it was. Ogita, Rump & Oishi 2005. */
+static inline phd_sum phd_swept(phd_sum x, int times)
+{
+    while (times-- > 0) {
+        for (int k = 1; k < x.count; k++) {
+            const phd_pair s = phd_two_sum(x.term[k - 1], x.term[k]);
+            x.term[k - 1] = s.lo;
+            x.term[k] = s.hi;
+        }
+    }
+    return x;
+}
+
+/* The sum as one of `count` terms at most, largest last, correct to 2^(-53 count) of its size. */
+static inline phd_sum phd_compress(phd_sum x, int count)
+{
+    const int more = x.count - count;
+    if (more <= 0) return x;
+    x = phd_swept(x, count + 1);
+    for (int k = 0; k < count; k++) x.term[k] = x.term[more + k];
+    x.count = count;
+    return x;
+}
+
+/* The sum to double-double accuracy, whatever cancels, up to 2^-265. */
+static inline phd_pair phd_distil(phd_sum x)
+{
+    double rest;
+    x = phd_swept(x, 5);
+    rest = x.term[0];
+    for (int k = 1; k < x.count - 1; k++) rest += x.term[k];
+    return phd_two_sum(x.term[x.count - 1], rest);
+}
+
 /* ---------------------------------------------------------------- what both motions are made of */
 
 static inline int phd_arithmetic_is_exact(void)
@@ -1981,10 +2053,35 @@ static inline int polhode_free_body_state(const polhode_free_body *m, double t, 
 
 /* ---------------------------------------------------------------- formulas of the Lagrange top */
 
-/* binary exponent down to which a square has all its digits */
-static const double PHD_TOP_SQUARABLE = -400.0;
+/* binary exponents: of a displacement that is scaled up, and of what it becomes */
+static const double PHD_TOP_TINY = -200.0;
+static const double PHD_TOP_LIFTED = -150.0;
 static const phd_pair PHD_TOP_ONE = {1.0, 0.0};
 static const phd_pair PHD_TOP_ZERO = {0.0, 0.0};
+/* A top with mgl ≥ 0 and without powers of two. */
+typedef struct {
+    phd_pair moments; /* I1, I3 */
+    phd_three momentum;
+    phd_four quaternion;
+    int reversed; /* whether the axis was reversed */
+    double lift; /* binary exponent of the displacement's scale, 0 for most tops */
+    double exponent; /* binary, taken out of the momentum */
+    double momentum_scale; /* powers of two taken out */
+    double rate_scale;
+    phd_pair G;
+} phd_top_scaled_record;
+
+static inline phd_top_scaled_record phd_make_top_scaled_record(phd_pair moments, phd_three momentum,
+    phd_four quaternion, int reversed, double lift, double exponent, double momentum_scale, double rate_scale,
+    phd_pair G)
+{
+    phd_top_scaled_record all;
+    all.moments = moments; all.momentum = momentum; all.quaternion = quaternion; all.reversed = reversed;
+    all.lift = lift; all.exponent = exponent; all.momentum_scale = momentum_scale; all.rate_scale = rate_scale;
+    all.G = G;
+    return all;
+}
+
 /* A top with mgl ≥ 0, scaled by powers of two; pairs are double-double.
 
    u = cos θ, s = 1 − u, t = 1 + u, index 0 at the epoch; dots are derivatives by τ. */
@@ -2036,167 +2133,148 @@ static inline int phd_top_leaves(const phd_top_reduction_record *top)
     return top->lift > 0.0 && phd_top_is_upright(top) && top->D.hi > 0.0;
 }
 
-/* Distances between the roots, the poles u = ±1 and the start u0, each as a number of its own. */
-typedef struct {
-    phd_pair from_lower; /* u0 − u1 */
-    phd_pair from_upper; /* u2 − u0 */
-    phd_pair d; /* u2 − u1 */
-    phd_pair s1; /* 1 − u1 */
-    phd_pair s2; /* 1 − u2 */
-    phd_pair t1; /* 1 + u1 */
-    phd_pair t2; /* 1 + u2 */
-    phd_pair A; /* G (u3 − u1) */
-    phd_pair B; /* G (u3 − u2) */
-    phd_pair Y; /* G (u3 − u0) */
-    phd_pair Z_minus; /* G (u3 − 1) */
-    phd_pair Z_plus; /* G (u3 + 1) */
-} phd_top_turning_points_record;
-
-static inline phd_top_turning_points_record phd_make_top_turning_points_record(phd_pair from_lower, phd_pair from_upper,
-    phd_pair d, phd_pair s1, phd_pair s2, phd_pair t1, phd_pair t2, phd_pair A, phd_pair B, phd_pair Y,
-    phd_pair Z_minus, phd_pair Z_plus)
+static inline double phd_top_largest(double x, double y)
 {
-    phd_top_turning_points_record all;
-    all.from_lower = from_lower; all.from_upper = from_upper; all.d = d; all.s1 = s1; all.s2 = s2; all.t1 = t1;
-    all.t2 = t2; all.A = A; all.B = B; all.Y = Y; all.Z_minus = Z_minus; all.Z_plus = Z_plus;
-    return all;
+    return phd_larger(fabs(x), fabs(y));
 }
 
-typedef struct { phd_pair at[3]; } phd_three_pairs;
-
-static inline phd_three_pairs phd_make_three_pairs(phd_pair x0, phd_pair x1, phd_pair x2)
+/* Turn a top whose centre of mass lies below, and take out powers of two. */
+static inline phd_top_scaled_record phd_top_scaled(phd_three moments, double mgl, phd_three momentum, phd_four attitude)
 {
-    phd_three_pairs all;
-    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2;
-    return all;
+    const int turned = mgl < 0.0;
+    const double side = turned ? -1.0 : 1.0;
+    double weight = fabs(mgl);
+    const double w = attitude.at[0], x = attitude.at[1], y = attitude.at[2], z = attitude.at[3];
+    double i1 = moments.at[0];
+    const double i3 = moments.at[2];
+    const double l1 = momentum.at[0], l2 = momentum.at[1], l3 = momentum.at[2];
+    const double largest = phd_larger(phd_top_largest(l1, l2), fabs(l3));
+    const double of_moment = phd_binary_exponent(i1);
+    const double of_momentum = phd_binary_exponent(largest);
+    /* the larger of |L| and √(mgl I1), without forming a product that may overflow */
+    const double half = floor(0.5 * (of_moment + phd_binary_exponent(weight) + 1.0));
+    const double of_both = largest > 0.0 ? phd_larger(of_momentum, half) : half;
+    const double exponent = weight > 0.0 ? of_both : of_momentum;
+    i1 = phd_times_power(i1, -of_moment);
+    weight = phd_times_power(phd_times_power(weight, of_moment - exponent), -exponent);
+    /* a half turn about the first body axis: q → q i */
+    return phd_make_top_scaled_record(phd_make_pair(i1, phd_times_power(i3, -of_moment)),
+        phd_make_three(phd_times_power(l1, -exponent), phd_times_power(side * l2, -exponent),
+            phd_times_power(side * l3, -exponent)),
+        phd_make_four(turned ? -x : w, turned ? w : x, turned ? z : y, turned ? -y : z), turned, 0.0 * weight, exponent,
+        phd_times_power(1.0, exponent), phd_times_power(1.0, exponent - of_moment),
+        phd_scale(phd_two_product(weight, i1), 2.0));
 }
 
-typedef struct {
-    phd_pair first;
-    phd_three_pairs second;
-    phd_three_pairs third;
-} phd_pair_two_three_pairss;
+/* Scale a tiny displacement up; the momentum is the given one, which keeps digits that scaling down has lost.
 
-static inline phd_pair_two_three_pairss phd_make_pair_two_three_pairss(phd_pair first, phd_three_pairs second,
-    phd_three_pairs third)
+   Exactly at the threshold of sleeping, 2G = a², where it grows like t and not like e^t, it is dropped: nothing is
+   to
+   show within 1e27 radians, the longest time for which a motion is given. */
+static inline phd_top_scaled_record phd_top_lifted(const phd_top_scaled_record *top, phd_three momentum)
 {
-    phd_pair_two_three_pairss all;
-    all.first = first; all.second = second; all.third = third;
-    return all;
+    const double w = top->quaternion.at[0], x = top->quaternion.at[1], y = top->quaternion.at[2],
+        z = top->quaternion.at[3];
+    const double l1 = top->momentum.at[0], l2 = top->momentum.at[1], l3 = top->momentum.at[2];
+    const double cosine = phd_top_largest(w, z);
+    const double sine = phd_top_largest(x, y);
+    const int below = cosine < sine;
+    const double displacement = phd_larger(phd_smaller(cosine, sine), phd_top_largest(l1, l2));
+    const double exponent = phd_binary_exponent(displacement);
+    const phd_pair double_ = phd_scale(top->G, 2.0);
+    const phd_pair square = phd_two_product(l3, l3);
+    const int threshold = double_.hi == square.hi && double_.lo == square.lo && !below;
+    const int tiny = displacement > 0.0 && exponent < PHD_TOP_TINY && top->G.hi > 0.0;
+    const double lift = tiny && !threshold ? PHD_TOP_LIFTED - exponent : 0.0;
+    const double kept = tiny && threshold ? 0.0 : 1.0;
+    const double above = below ? 0.0 : lift;
+    const double under = below ? lift : 0.0;
+    const double side = top->reversed ? -1.0 : 1.0;
+    const double power = lift - top->exponent;
+    return phd_make_top_scaled_record(top->moments,
+        phd_make_three(kept * phd_times_power(momentum.at[0], power),
+            kept * phd_times_power(side * momentum.at[1], power), l3),
+        phd_make_four(phd_times_power(w, under), kept * phd_times_power(x, above), kept * phd_times_power(y, above),
+            phd_times_power(z, under)), top->reversed, lift, top->exponent, top->momentum_scale, top->rate_scale,
+        top->G);
 }
 
-/* Return f1, and the cubics x³ + bx² + cx + d of Y = G (u3 − u0) and of s = 1 − u1; inverse is 1/G. */
-static inline phd_pair_two_three_pairss phd_top_cubics(double axial, phd_pair g, phd_pair inverse, phd_pair s0,
-    phd_pair t0, phd_pair u0, phd_pair w2, phd_pair twist, phd_pair p2, phd_pair c2, phd_pair d, phd_pair f)
+/* Return the reduction of invariants times |q|²; s and t are half of them, and in_phase is −p/2. */
+static inline phd_top_reduction_record phd_top_over_size(const phd_top_scaled_record *top, phd_pair size, phd_pair s,
+    phd_pair t, phd_pair u, phd_pair in_phase, phd_pair c, phd_pair c_plus, phd_pair twist, phd_pair f, phd_pair d,
+    phd_pair w2, phd_pair lean)
 {
-    /* with v = u − u0 and the |w|² of the start, u̇² = (1 − u²)(|w|² − G v) − (b − a u)² = p² + f1 v + f2 v² + G v³,
-       and with s = 1 − u it is −(G s³ − D s² − 2F s + c²) */
-    phd_pair f1 = phd_subtract(phd_scale(phd_multiply_float(twist, axial), 2.0), phd_multiply(g, phd_multiply(s0, t0)));
-    f1 = phd_subtract(f1, phd_scale(phd_multiply(u0, w2), 2.0));
-    const phd_pair f2 = phd_subtract(phd_subtract(phd_scale(phd_multiply(g, u0), 2.0), w2), phd_two_square(axial));
-    d = phd_multiply(d, inverse);
-    f = phd_multiply(f, inverse);
-    return phd_make_pair_two_three_pairss(f1,
-        phd_make_three_pairs(f2, phd_multiply(g, f1), phd_multiply(phd_square(g), p2)),
-        phd_make_three_pairs(phd_make_pair(-d.hi, -d.lo), phd_scale(f, -2.0), phd_multiply(c2, inverse)));
+    return phd_make_top_reduction_record(top->moments, top->momentum, top->quaternion, top->reversed, top->lift,
+        top->momentum_scale, top->rate_scale, size, top->G, phd_scale(phd_divide(s, size), 2.0),
+        phd_scale(phd_divide(t, size), 2.0), phd_divide(u, size), phd_scale(phd_divide(in_phase, size), -2.0),
+        phd_divide(c, size), phd_divide(c_plus, size), phd_divide(twist, size), phd_divide(f, size),
+        phd_divide(d, size), w2, phd_divide(lean, size));
 }
 
-/* Return x / y, and zero for x = 0 whatever y. */
-static inline phd_pair phd_top_quotient(phd_pair x, phd_pair y)
+/* Return ab + cd. */
+static inline phd_sum phd_top_products(double a, double b, double c, double d)
 {
-    const int zero = x.hi == 0.0;
-    return zero ? x : phd_divide(x, zero ? PHD_TOP_ONE : y);
+    return phd_join(phd_as_sum(phd_two_product(a, b)), phd_as_sum(phd_two_product(c, d)));
 }
 
-/* Return x + y = √((x − y)² + 4 x y), also where the square underflows. */
-static inline phd_pair phd_top_difference(phd_pair total, phd_pair product)
+static inline phd_sum phd_top_times_pair(phd_sum x, phd_pair y)
 {
-    const double exponent = phd_binary_exponent(total.hi);
-    const int alone = product.hi == 0.0 || phd_binary_exponent(product.hi) < 2.0 * exponent;
-    const double power = total.hi != 0.0 && exponent < PHD_TOP_SQUARABLE && alone ? -exponent : 0.0;
-    const double up = phd_times_power(1.0, power);
-    const phd_pair raised = phd_scale(phd_scale(product, up), up);
-    return phd_scale(phd_root_or_zero(phd_add(phd_square(phd_scale(total, up)), phd_scale(raised, 4.0))),
-        phd_times_power(1.0, -power));
+    return phd_join(phd_multiply_terms(x, y.hi), phd_multiply_terms(x, y.lo));
 }
 
-/* Return x ≥ 0 and y ≥ 0 from x − y, x + y and x y. */
-static inline phd_two_pairs phd_top_larger_and_smaller(phd_pair total, phd_pair sum_, phd_pair product)
+/* Return |q|²: as a pair it would leave F of a planar top only 32 digits of what cancels. */
+static inline phd_sum phd_top_size_of(const phd_top_scaled_record *top)
 {
-    const int positive = total.hi >= 0.0;
-    const phd_pair larger = phd_scale(phd_add(sum_, positive ? total : phd_make_pair(-total.hi, -total.lo)), 0.5);
-    const phd_pair smaller = larger.hi > 0.0 ? phd_top_quotient(product, larger) : PHD_TOP_ZERO;
-    return phd_make_two_pairs(positive ? larger : smaller, positive ? smaller : larger);
+    const double w = top->quaternion.at[0], x = top->quaternion.at[1], y = top->quaternion.at[2],
+        z = top->quaternion.at[3];
+    return phd_compress(phd_join(phd_top_products(x, x, y, y), phd_top_products(w, w, z, z)), 4);
 }
 
-typedef struct { phd_pair at[9]; } phd_nine_pairs;
+/* Return the reduction of a top; its invariants are polynomials of the given floats over |q|², which is size.
 
-static inline phd_nine_pairs phd_make_nine_pairs(phd_pair x0, phd_pair x1, phd_pair x2, phd_pair x3, phd_pair x4,
-    phd_pair x5, phd_pair x6, phd_pair x7, phd_pair x8)
+   The polynomials are summed exactly, since near the separatrix c, F and D vanish together and what is left of them
+   decides how long the top lingers upright; double-double alone would leave nothing. */
+static inline phd_top_reduction_record phd_top_exactly_reduced(const phd_top_scaled_record *top, phd_sum size)
 {
-    phd_nine_pairs all;
-    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3; all.at[4] = x4; all.at[5] = x5; all.at[6] = x6;
-    all.at[7] = x7; all.at[8] = x8;
-    return all;
+    const double l1 = top->momentum.at[0], l2 = top->momentum.at[1], l3 = top->momentum.at[2];
+    const double w = top->quaternion.at[0], x = top->quaternion.at[1], y = top->quaternion.at[2],
+        z = top->quaternion.at[3];
+    const phd_sum s = phd_top_products(x, x, y, y);
+    const phd_sum t = phd_top_products(w, w, z, z);
+    /* of β̄α */
+    const phd_sum real = phd_top_products(x, w, y, z);
+    const phd_sum imaginary = phd_top_products(x, z, -y, w);
+    /* of β̄αw */
+    const phd_sum in_phase = phd_compress(phd_join(phd_multiply_terms(real, l1), phd_multiply_terms(imaginary, -l2)),
+        4);
+    const phd_sum twist = phd_compress(phd_join(phd_multiply_terms(real, 2.0 * l2),
+            phd_multiply_terms(imaginary, 2.0 * l1)), 4);
+    const phd_sum c = phd_compress(phd_join(twist, phd_multiply_terms(s, -2.0 * l3)), 4);
+    const phd_sum c_plus = phd_compress(phd_join(twist, phd_multiply_terms(t, 2.0 * l3)), 4);
+    const phd_sum kinetic = phd_join(phd_top_times_pair(size, phd_two_product(l1, l1)),
+        phd_top_times_pair(size, phd_two_product(l2, l2)));
+    phd_sum fall = phd_as_sum(phd_scale(top->G, -2.0));
+    fall = phd_join(phd_top_times_pair(fall, phd_two_product(x, x)), phd_top_times_pair(fall, phd_two_product(y, y)));
+    const phd_sum energy = phd_compress(phd_join(kinetic, fall), 5);
+    const phd_sum f = phd_compress(phd_join(energy, phd_multiply_terms(c, -l3)), 5);
+    const phd_sum rest = phd_join(phd_top_times_pair(size, phd_scale(top->G, 2.0)),
+        phd_top_times_pair(size, phd_two_product(l3, -l3)));
+    const phd_sum d = phd_compress(phd_join(rest, phd_negated(energy)), 5);
+    const phd_sum lean = phd_compress(phd_join(phd_multiply_terms(energy, l3),
+            phd_top_times_pair(c, phd_scale(top->G, -1.0))), 6);
+    return phd_top_over_size(top, phd_distil(size), phd_distil(s), phd_distil(t),
+        phd_distil(phd_join(t, phd_negated(s))), phd_distil(in_phase), phd_distil(c), phd_distil(c_plus),
+        phd_distil(twist), phd_distil(f), phd_distil(d), phd_distil(phd_top_products(l1, l1, l2, l2)),
+        phd_distil(lean));
 }
 
-/* From Y = G (u3 − u0): with v = u − u0, v1 + v2 = (f1 + G p²/Y)/Y and v1 v2 = −p²/Y. */
-static inline phd_nine_pairs phd_top_upper_root_apart(phd_pair g, phd_pair s0, phd_pair p2, phd_pair c2, phd_pair f1,
-    phd_pair y)
+/* Return the reduction of a top, at any scale and however near the vertical. */
+static inline phd_top_reduction_record phd_top_reduction(phd_three moments, double mgl, phd_three momentum,
+    phd_four attitude)
 {
-    const phd_pair product = phd_top_quotient(p2, y);
-    const phd_pair total = phd_top_quotient(phd_add(f1, phd_multiply(g, product)), y);
-    const phd_pair gap = phd_top_difference(total, product);
-    const phd_two_pairs of_larger_and_smaller = phd_top_larger_and_smaller(total, gap, product);
-    const phd_pair upper = of_larger_and_smaller.at[0], lower = of_larger_and_smaller.at[1];
-    const phd_pair s1 = phd_add(s0, lower);
-    phd_pair s2 = phd_subtract(s0, upper);
-    phd_pair z = phd_subtract(y, phd_multiply(g, s0));
-    /* s1 s2 Z = c²; of s2 and Z only the larger is an accurate difference */
-    const int take = z.hi >= phd_multiply(g, s2).hi;
-    const phd_pair other = phd_top_quotient(c2, phd_multiply(s1, take ? z : s2));
-    s2 = take ? other : s2;
-    z = take ? z : other;
-    return phd_make_nine_pairs(lower, upper, gap, s1, s2, phd_add(y, phd_multiply(g, lower)),
-        phd_subtract(y, phd_multiply(g, upper)), y, z);
-}
-
-/* From s1 = 1 − u1: s2 + s3 = (c²/s1 − 2F)/(G s1) and s2 s3 = −c²/(G s1). */
-static inline phd_nine_pairs phd_top_lower_root_apart(phd_pair g, phd_pair s0, phd_pair p2, phd_pair c2, phd_pair f,
-    phd_pair s1)
-{
-    const phd_pair gs = phd_multiply(g, s1);
-    const phd_pair product = phd_top_quotient(c2, gs);
-    const phd_pair total = phd_divide(phd_add(phd_scale(f, -2.0), phd_top_quotient(c2, s1)), gs);
-    const phd_pair between = phd_top_difference(total, product);
-    const phd_two_pairs of_larger_and_smaller = phd_top_larger_and_smaller(total, between, product);
-    const phd_pair s2 = of_larger_and_smaller.at[0], minus_s3 = of_larger_and_smaller.at[1];
-    const phd_pair z = phd_multiply(g, minus_s3);
-    const phd_pair y = phd_add(phd_multiply(g, s0), z);
-    phd_pair upper = phd_subtract(s0, s2);
-    phd_pair lower = phd_subtract(s1, s0);
-    const int take = upper.hi >= lower.hi;
-    const phd_pair other = phd_top_quotient(phd_top_quotient(p2, y), take ? upper : lower);
-    upper = take ? upper : other;
-    lower = take ? other : lower;
-    return phd_make_nine_pairs(lower, upper, phd_subtract(s1, s2), s1, s2, phd_multiply(g, phd_add(s1, minus_s3)),
-        phd_multiply(g, between), y, z);
-}
-
-/* Return the turning points from the separate root, Y or else s1; safe is G, where it is positive. */
-static inline phd_top_turning_points_record phd_top_turning_points_of(int is_upper, phd_pair lone_root, phd_pair g,
-    phd_pair safe, phd_pair s0, phd_pair t0, phd_pair p2, phd_pair c2, phd_pair c_plus, phd_pair f, phd_pair f1)
-{
-    const phd_nine_pairs x = phd_top_upper_root_apart(g, s0, p2, c2, f1, lone_root);
-    const phd_nine_pairs y = phd_top_lower_root_apart(safe, s0, p2, c2, f, lone_root);
-    const phd_pair upper = is_upper ? x.at[1] : y.at[1];
-    const phd_pair apart = is_upper ? x.at[7] : y.at[7];
-    const phd_pair t2 = phd_add(t0, upper);
-    const phd_pair z = phd_add(apart, phd_multiply(g, t0));
-    return phd_make_top_turning_points_record(is_upper ? x.at[0] : y.at[0], upper, is_upper ? x.at[2] : y.at[2],
-        is_upper ? x.at[3] : y.at[3], is_upper ? x.at[4] : y.at[4],
-        phd_top_quotient(phd_square(c_plus), phd_multiply(t2, z)), t2, is_upper ? x.at[5] : y.at[5],
-        is_upper ? x.at[6] : y.at[6], apart, is_upper ? x.at[8] : y.at[8], z);
+    const phd_top_scaled_record top = phd_top_scaled(moments, mgl, momentum, attitude);
+    const phd_top_scaled_record of_lifted = phd_top_lifted(&top, momentum);
+    return phd_top_exactly_reduced(&of_lifted, phd_top_size_of(&top));
 }
 
 /* All that evaluation needs of a top: numbers, or arrays with one for each of many.
@@ -2413,78 +2491,294 @@ static inline phd_seven phd_top_state_at(const phd_top_motion_record *m, double 
     return phd_top_state_of(m, phd_top_complementary_sums(m, a, b, c, e0, R));
 }
 
-/* from the root in single numbers; three do, two more where that was poor */
-static const int PHD_TOP_NEWTON_STEPS = 5;
+/* binary exponent down to which a square has all its digits */
+static const double PHD_TOP_SQUARABLE = -400.0;
 /* of cos(⅓ acos x), 0 ≤ x ≤ 1, to 2e-4 */
 static const double PHD_TOP_BEGIN = 0.8660254;
 static const double PHD_TOP_SLOPE = 0.1642;
 static const double PHD_TOP_CURVE = -0.0302;
-/* Return the largest root of x³ + bx² + cx + d, whose roots are real, if cos 3φ is not negative; and cos 3φ. */
-static inline phd_pair phd_top_largest_root(double b, double c, double d)
+/* steps of Newton's, of all and of any: two do, three more where the start was poor */
+static const int PHD_TOP_AT_ONCE = 2;
+static const int PHD_TOP_MOST = 5;
+/* of the last change over the root: what is left is smaller by a float64's precision */
+static const double PHD_TOP_CONVERGED = 8.673617379884035e-19;
+/* Distances between the roots, the poles u = ±1 and the start u0, each as a number of its own. */
+typedef struct {
+    phd_pair from_lower; /* u0 − u1 */
+    phd_pair from_upper; /* u2 − u0 */
+    phd_pair d; /* u2 − u1 */
+    phd_pair s1; /* 1 − u1 */
+    phd_pair s2; /* 1 − u2 */
+    phd_pair t1; /* 1 + u1 */
+    phd_pair t2; /* 1 + u2 */
+    phd_pair A; /* G (u3 − u1) */
+    phd_pair B; /* G (u3 − u2) */
+    phd_pair Y; /* G (u3 − u0) */
+    phd_pair Z_minus; /* G (u3 − 1) */
+    phd_pair Z_plus; /* G (u3 + 1) */
+} phd_top_turning_points_record;
+
+static inline phd_top_turning_points_record phd_make_top_turning_points_record(phd_pair from_lower, phd_pair from_upper,
+    phd_pair d, phd_pair s1, phd_pair s2, phd_pair t1, phd_pair t2, phd_pair A, phd_pair B, phd_pair Y,
+    phd_pair Z_minus, phd_pair Z_plus)
 {
-    /* Viète: x = 2r cos φ − b/3 with r = √(−P/3) and cos 3φ = −Q/2r³ */
-    const double third = b / 3.0;
-    const double p = c - b * third;
-    const double q = 2.0 * (third * third) * third - third * c + d;
-    const double r = sqrt(phd_larger(-p / 3.0, 0.0));
-    const double cosine = r > 0.0 ? -0.5 * q / (r * r * r) : 1.0;
-    const double x = phd_smaller(phd_larger(cosine, 0.0), 1.0);
-    /* cos φ is a root of 4 y³ − 3 y = x */
-    double y = PHD_TOP_BEGIN + x * (PHD_TOP_SLOPE + x * PHD_TOP_CURVE);
-    y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
-    y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
-    return phd_make_pair(2.0 * r * y - third, cosine);
+    phd_top_turning_points_record all;
+    all.from_lower = from_lower; all.from_upper = from_upper; all.d = d; all.s1 = s1; all.s2 = s2; all.t1 = t1;
+    all.t2 = t2; all.A = A; all.B = B; all.Y = Y; all.Z_minus = Z_minus; all.Z_plus = Z_plus;
+    return all;
+}
+
+typedef struct { phd_pair at[3]; } phd_three_pairs;
+
+static inline phd_three_pairs phd_make_three_pairs(phd_pair x0, phd_pair x1, phd_pair x2)
+{
+    phd_three_pairs all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2;
+    return all;
+}
+
+/* The cubic whose largest root stands apart from the others. */
+typedef struct {
+    int upper; /* whether it is that of Y, and the root u3, or that of s, and the root u1 */
+    phd_three_pairs cubic;
+    double start; /* near the root */
+    phd_pair f1;
+} phd_top_apart_record;
+
+static inline phd_top_apart_record phd_make_top_apart_record(int upper, phd_three_pairs cubic, double start,
+    phd_pair f1)
+{
+    phd_top_apart_record all;
+    all.upper = upper; all.cubic = cubic; all.start = start; all.f1 = f1;
+    return all;
 }
 
 typedef struct {
     phd_pair first;
     phd_three_pairs second;
-} phd_pair_three_pairs;
+    phd_three_pairs third;
+} phd_pair_two_three_pairss;
 
-static inline phd_pair_three_pairs phd_make_pair_three_pairs(phd_pair first, phd_three_pairs second)
+static inline phd_pair_two_three_pairss phd_make_pair_two_three_pairss(phd_pair first, phd_three_pairs second,
+    phd_three_pairs third)
 {
-    phd_pair_three_pairs all;
-    all.first = first; all.second = second;
+    phd_pair_two_three_pairss all;
+    all.first = first; all.second = second; all.third = third;
     return all;
 }
 
-/* Return a root after a step of Newton's. */
-static inline phd_pair_three_pairs phd_top_nearer(phd_pair_three_pairs state)
+/* Return f1, and the cubics x³ + bx² + cx + d of Y = G (u3 − u0) and of s = 1 − u1; inverse is 1/G. */
+static inline phd_pair_two_three_pairss phd_top_cubics(double axial, phd_pair g, phd_pair inverse, phd_pair s0,
+    phd_pair t0, phd_pair u0, phd_pair w2, phd_pair twist, phd_pair p2, phd_pair c2, phd_pair d, phd_pair f)
 {
-    const phd_pair x = state.first;
-    const phd_three_pairs cubic = state.second;
+    /* with v = u − u0 and the |w|² of the start, u̇² = (1 − u²)(|w|² − G v) − (b − a u)² = p² + f1 v + f2 v² + G v³,
+       and with s = 1 − u it is −(G s³ − D s² − 2F s + c²) */
+    phd_pair f1 = phd_subtract(phd_scale(phd_multiply_float(twist, axial), 2.0), phd_multiply(g, phd_multiply(s0, t0)));
+    f1 = phd_subtract(f1, phd_scale(phd_multiply(u0, w2), 2.0));
+    const phd_pair f2 = phd_subtract(phd_subtract(phd_scale(phd_multiply(g, u0), 2.0), w2), phd_two_square(axial));
+    d = phd_multiply(d, inverse);
+    f = phd_multiply(f, inverse);
+    return phd_make_pair_two_three_pairss(f1,
+        phd_make_three_pairs(f2, phd_multiply(g, f1), phd_multiply(phd_square(g), p2)),
+        phd_make_three_pairs(phd_make_pair(-d.hi, -d.lo), phd_scale(f, -2.0), phd_multiply(c2, inverse)));
+}
+
+/* Return b/3, r and cos 3φ of a cubic with real roots, of which 2r cos φ − b/3 is the largest. */
+static inline phd_three phd_top_by_angle(phd_three_pairs cubic)
+{
+    /* x = 2r cos φ − b/3 with r = √(−P/3) and cos 3φ = −Q/2r³ */
+    const double b = cubic.at[0].hi;
+    const double c = cubic.at[1].hi;
+    const double d = cubic.at[2].hi;
+    const double third = b / 3.0;
+    const double p = c - b * third;
+    const double q = 2.0 * (third * third) * third - third * c + d;
+    const double r = sqrt(phd_larger(-p / 3.0, 0.0 * p));
+    return phd_make_three(third, r, r > 0.0 ? -0.5 * q / (r * r * r) : 1.0);
+}
+
+/* Return the cubic whose largest root stands apart. */
+static inline phd_top_apart_record phd_top_apart(const phd_top_reduction_record *top)
+{
+    const int weightless = !(top->G.hi > 0.0);
+    const phd_pair one = PHD_TOP_ONE;
+    const phd_pair_two_three_pairss of_cubics = phd_top_cubics(top->momentum.at[2], top->G,
+        phd_divide(one, weightless ? one : top->G), top->s0, top->t0, top->u0, top->w2, top->twist, phd_square(top->p),
+        phd_square(top->c), top->D, top->F);
+    const phd_pair f1 = of_cubics.first;
+    const phd_three_pairs of_y = of_cubics.second, of_s = of_cubics.third;
+    const phd_three of_by_angle = phd_top_by_angle(of_y);
+    const double third = of_by_angle.at[0], r = of_by_angle.at[1], cosine = of_by_angle.at[2];
+    const phd_three of_by_angle_2 = phd_top_by_angle(of_s);
+    const double other_third = of_by_angle_2.at[0], other_r = of_by_angle_2.at[1], other = of_by_angle_2.at[2];
+    const int upper = cosine >= 0.0 || weightless;
+    double x = upper ? cosine : other;
+    x = phd_smaller(phd_larger(x, 0.0 * x), 1.0 + 0.0 * x);
+    /* cos φ is a root of 4 y³ − 3 y = x */
+    double y = PHD_TOP_BEGIN + x * (PHD_TOP_SLOPE + x * PHD_TOP_CURVE);
+    y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
+    y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
+    const phd_three_pairs cubic = phd_make_three_pairs(upper ? of_y.at[0] : of_s.at[0], upper ? of_y.at[1] : of_s.at[1],
+        upper ? of_y.at[2] : of_s.at[2]);
+    return phd_make_top_apart_record(upper, cubic, 2.0 * (upper ? r : other_r) * y - (upper ? third : other_third), f1);
+}
+
+typedef struct {
+    phd_pair first;
+    double second;
+    phd_three_pairs third;
+} phd_pair_number_three_pairs;
+
+static inline phd_pair_number_three_pairs phd_make_pair_number_three_pairs(phd_pair first, double second,
+    phd_three_pairs third)
+{
+    phd_pair_number_three_pairs all;
+    all.first = first; all.second = second; all.third = third;
+    return all;
+}
+
+/* Return the root before the first step. */
+static inline phd_pair_number_three_pairs phd_top_begun(const phd_top_apart_record *lone)
+{
+    return phd_make_pair_number_three_pairs(phd_make_pair(lone->start, 0.0 * lone->start), lone->start, lone->cubic);
+}
+
+/* Return a root after a step of Newton's, whose slope need not be sharp. */
+static inline phd_pair_number_three_pairs phd_top_nearer(phd_pair_number_three_pairs root)
+{
+    const phd_pair x = root.first;
+    const phd_three_pairs cubic = root.third;
     const phd_pair b = cubic.at[0], c = cubic.at[1], d = cubic.at[2];
     const phd_pair value = phd_add(phd_multiply(phd_add(phd_multiply(phd_add(x, b), x), c), x), d);
-    const phd_pair slope = phd_add(phd_multiply(phd_add(phd_add(phd_scale(x, 2.0), x), phd_scale(b, 2.0)), x), c);
-    const phd_pair change = phd_divide(value, slope);
-    const int is_finite = change.hi - change.hi == 0.0;
-    return phd_make_pair_three_pairs(is_finite ? phd_subtract(x, change) : x, cubic);
+    double change = -value.hi / ((3.0 * x.hi + 2.0 * b.hi) * x.hi + c.hi);
+    change = change - change == 0.0 ? change : 0.0;
+    return phd_make_pair_number_three_pairs(phd_add(x, phd_make_pair(change, 0.0 * change)), change, cubic);
+}
+
+/* Return whether the last change leaves nothing to be changed. */
+static inline int phd_top_is_found(phd_pair_number_three_pairs root)
+{
+    const phd_pair x = root.first;
+    const double change = root.second;
+    return x.hi > 0.0 && fabs(change) <= PHD_TOP_CONVERGED * x.hi;
+}
+
+/* Return x / y, and zero for x = 0 whatever y. */
+static inline phd_pair phd_top_quotient(phd_pair x, phd_pair y)
+{
+    const int zero = x.hi == 0.0;
+    return zero ? x : phd_divide(x, zero ? PHD_TOP_ONE : y);
+}
+
+/* Return x + y = √((x − y)² + 4 x y), also where the square underflows. */
+static inline phd_pair phd_top_difference(phd_pair total, phd_pair product)
+{
+    const double exponent = phd_binary_exponent(total.hi);
+    const int alone = product.hi == 0.0 || phd_binary_exponent(product.hi) < 2.0 * exponent;
+    const double power = total.hi != 0.0 && exponent < PHD_TOP_SQUARABLE && alone ? -exponent : 0.0;
+    const double up = phd_times_power(1.0, power);
+    const phd_pair raised = phd_scale(phd_scale(product, up), up);
+    return phd_scale(phd_root_or_zero(phd_add(phd_square(phd_scale(total, up)), phd_scale(raised, 4.0))),
+        phd_times_power(1.0, -power));
+}
+
+/* Return x ≥ 0 and y ≥ 0 from x − y, x + y and x y. */
+static inline phd_two_pairs phd_top_larger_and_smaller(phd_pair total, phd_pair sum_, phd_pair product)
+{
+    const int positive = total.hi >= 0.0;
+    const phd_pair most = phd_scale(phd_add(sum_, positive ? total : phd_make_pair(-total.hi, -total.lo)), 0.5);
+    const phd_pair least = most.hi > 0.0 ? phd_top_quotient(product, most) : PHD_TOP_ZERO;
+    return phd_make_two_pairs(positive ? most : least, positive ? least : most);
+}
+
+typedef struct { phd_pair at[9]; } phd_nine_pairs;
+
+static inline phd_nine_pairs phd_make_nine_pairs(phd_pair x0, phd_pair x1, phd_pair x2, phd_pair x3, phd_pair x4,
+    phd_pair x5, phd_pair x6, phd_pair x7, phd_pair x8)
+{
+    phd_nine_pairs all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3; all.at[4] = x4; all.at[5] = x5; all.at[6] = x6;
+    all.at[7] = x7; all.at[8] = x8;
+    return all;
+}
+
+/* From Y = G (u3 − u0): with v = u − u0, v1 + v2 = (f1 + G p²/Y)/Y and v1 v2 = −p²/Y. */
+static inline phd_nine_pairs phd_top_upper_root_apart(phd_pair g, phd_pair s0, phd_pair p2, phd_pair c2, phd_pair f1,
+    phd_pair y)
+{
+    const phd_pair product = phd_top_quotient(p2, y);
+    const phd_pair total = phd_top_quotient(phd_add(f1, phd_multiply(g, product)), y);
+    const phd_pair gap = phd_top_difference(total, product);
+    const phd_two_pairs of_larger_and_smaller = phd_top_larger_and_smaller(total, gap, product);
+    const phd_pair upper = of_larger_and_smaller.at[0], lower = of_larger_and_smaller.at[1];
+    const phd_pair s1 = phd_add(s0, lower);
+    phd_pair s2 = phd_subtract(s0, upper);
+    phd_pair z = phd_subtract(y, phd_multiply(g, s0));
+    /* s1 s2 Z = c²; of s2 and Z only the larger is an accurate difference */
+    const int take = z.hi >= phd_multiply(g, s2).hi;
+    const phd_pair other = phd_top_quotient(c2, phd_multiply(s1, take ? z : s2));
+    s2 = take ? other : s2;
+    z = take ? z : other;
+    return phd_make_nine_pairs(lower, upper, gap, s1, s2, phd_add(y, phd_multiply(g, lower)),
+        phd_subtract(y, phd_multiply(g, upper)), y, z);
+}
+
+/* From s1 = 1 − u1: s2 + s3 = (c²/s1 − 2F)/(G s1) and s2 s3 = −c²/(G s1). */
+static inline phd_nine_pairs phd_top_lower_root_apart(phd_pair g, phd_pair s0, phd_pair p2, phd_pair c2, phd_pair f,
+    phd_pair s1)
+{
+    const phd_pair gs = phd_multiply(g, s1);
+    const phd_pair product = phd_top_quotient(c2, gs);
+    const phd_pair total = phd_divide(phd_add(phd_scale(f, -2.0), phd_top_quotient(c2, s1)), gs);
+    const phd_pair between = phd_top_difference(total, product);
+    const phd_two_pairs of_larger_and_smaller = phd_top_larger_and_smaller(total, between, product);
+    const phd_pair s2 = of_larger_and_smaller.at[0], minus_s3 = of_larger_and_smaller.at[1];
+    const phd_pair z = phd_multiply(g, minus_s3);
+    const phd_pair y = phd_add(phd_multiply(g, s0), z);
+    phd_pair upper = phd_subtract(s0, s2);
+    phd_pair lower = phd_subtract(s1, s0);
+    const int take = upper.hi >= lower.hi;
+    const phd_pair other = phd_top_quotient(phd_top_quotient(p2, y), take ? upper : lower);
+    upper = take ? upper : other;
+    lower = take ? other : lower;
+    return phd_make_nine_pairs(lower, upper, phd_subtract(s1, s2), s1, s2, phd_multiply(g, phd_add(s1, minus_s3)),
+        phd_multiply(g, between), y, z);
+}
+
+/* Return the turning points from the separate root, Y or else s1. */
+static inline phd_top_turning_points_record phd_top_turning_points_of(const phd_top_reduction_record *top, int is_upper,
+    phd_pair lone, phd_pair f1)
+{
+    const phd_pair g = top->G;
+    const phd_pair s0 = top->s0;
+    const phd_pair t0 = top->t0;
+    const phd_pair p2 = phd_square(top->p);
+    const phd_pair c2 = phd_square(top->c);
+    const phd_nine_pairs x = phd_top_upper_root_apart(g, s0, p2, c2, f1, lone);
+    const phd_nine_pairs y = phd_top_lower_root_apart(g.hi > 0.0 ? g : PHD_TOP_ONE, s0, p2, c2, top->F, lone);
+    const phd_pair upper = is_upper ? x.at[1] : y.at[1];
+    const phd_pair above = is_upper ? x.at[7] : y.at[7];
+    const phd_pair t2 = phd_add(t0, upper);
+    const phd_pair z = phd_add(above, phd_multiply(g, t0));
+    return phd_make_top_turning_points_record(is_upper ? x.at[0] : y.at[0], upper, is_upper ? x.at[2] : y.at[2],
+        is_upper ? x.at[3] : y.at[3], is_upper ? x.at[4] : y.at[4],
+        phd_top_quotient(phd_square(top->c_plus), phd_multiply(t2, z)), t2, is_upper ? x.at[5] : y.at[5],
+        is_upper ? x.at[6] : y.at[6], above, is_upper ? x.at[8] : y.at[8], z);
 }
 
 /* Return the turning points of a top. */
 static inline phd_top_turning_points_record phd_top_turning_points(const phd_top_reduction_record *top)
 {
-    const int weightless = !(top->G.hi > 0.0);
-    const phd_pair safe = weightless ? PHD_TOP_ONE : top->G;
-    const phd_pair p2 = phd_square(top->p);
-    const phd_pair c2 = phd_square(top->c);
-    const phd_pair_two_three_pairss of_cubics = phd_top_cubics(top->momentum.at[2], top->G,
-        phd_divide(PHD_TOP_ONE, safe), top->s0, top->t0, top->u0, top->w2, top->twist, p2, c2, top->D, top->F);
-    const phd_pair f1 = of_cubics.first;
-    const phd_three_pairs of_y = of_cubics.second, of_s = of_cubics.third;
-    const phd_pair of_largest_root = phd_top_largest_root(of_y.at[0].hi, of_y.at[1].hi, of_y.at[2].hi);
-    const double y = of_largest_root.hi, cosine = of_largest_root.lo;
-    const phd_pair of_largest_root_2 = phd_top_largest_root(of_s.at[0].hi, of_s.at[1].hi, of_s.at[2].hi);
-    const double s = of_largest_root_2.hi;
-    const int upper = cosine >= 0.0 || weightless;
-    const phd_three_pairs cubic = phd_make_three_pairs(upper ? of_y.at[0] : of_s.at[0], upper ? of_y.at[1] : of_s.at[1],
-        upper ? of_y.at[2] : of_s.at[2]);
-    phd_pair_three_pairs running = phd_make_pair_three_pairs(phd_make_pair(upper ? y : s, 0.0), cubic);
-    for (int k = 0; k < PHD_TOP_NEWTON_STEPS; k++) {
+    const phd_top_apart_record lone = phd_top_apart(top);
+    phd_pair_number_three_pairs running = phd_top_begun(&lone);
+    for (int k = 0; k < PHD_TOP_MOST; k++) {
+        if (k >= PHD_TOP_AT_ONCE && phd_top_is_found(running)) {
+            break;
+        }
         running = phd_top_nearer(running);
     }
-    const phd_pair lone = running.first;
-    return phd_top_turning_points_of(upper, lone, top->G, safe, top->s0, top->t0, p2, c2, top->c_plus, top->F, f1);
+    const phd_pair root = running.first;
+    return phd_top_turning_points_of(top, lone.upper, root, lone.f1);
 }
 
 /* Rates by τ = t/I1 in scaled units; all but the signs and flags are double-double. */
@@ -3436,178 +3730,6 @@ static inline phd_top_motion_record phd_top_motion_of(const phd_top_given_record
 
 /* ---------------------------------------------------------------- the Lagrange top */
 
-/* An unevaluated sum of floats, exact. Shewchuk 1997. */
-typedef struct { int count; double term[64]; } phd_sum;
-
-static inline phd_sum phd_sum_of(phd_pair x) { phd_sum s; s.count = 2; s.term[0] = x.hi; s.term[1] = x.lo; return s; }
-
-static inline phd_sum phd_joined(phd_sum x, const phd_sum *y, double power_of_two)
-{
-    for (int k = 0; k < y->count; k++) x.term[x.count++] = y->term[k] * power_of_two;
-    return x;
-}
-
-static inline phd_sum phd_sum_times(const phd_sum *x, double factor)
-{
-    phd_sum s;
-    s.count = 2 * x->count;
-    for (int k = 0; k < x->count; k++) {
-        const phd_pair p = phd_two_product(x->term[k], factor);
-        s.term[2 * k] = p.hi;
-        s.term[2 * k + 1] = p.lo;
-    }
-    return s;
-}
-
-static inline phd_sum phd_sum_times_sum(const phd_sum *x, const phd_sum *y)
-{
-    phd_sum s;
-    s.count = 0;
-    for (int k = 0; k < y->count; k++) {
-        const phd_sum part = phd_sum_times(x, y->term[k]);
-        s = phd_joined(s, &part, 1.0);
-    }
-    return s;
-}
-
-/* Moves the leading part to the end; the sum stays exactly what it was. Ogita, Rump & Oishi 2005. */
-static inline void phd_sweep(phd_sum *x)
-{
-    double running = x->term[0];
-    for (int k = 1; k < x->count; k++) {
-        const phd_pair s = phd_two_sum(running, x->term[k]);
-        running = s.hi;
-        x->term[k - 1] = s.lo;
-    }
-    x->term[x->count - 1] = running;
-}
-
-/* The sum to double-double accuracy, whatever cancels, up to 2^-265. */
-static inline phd_pair phd_distil(phd_sum x)
-{
-    double rest;
-    for (int k = 0; k < 5; k++) phd_sweep(&x);
-    rest = x.term[0];
-    for (int k = 1; k < x.count - 1; k++) rest += x.term[k];
-    return phd_two_sum(x.term[x.count - 1], rest);
-}
-
-/* The sum as one of `count` floats, largest last, correct to 2^(-53 count) of its size. */
-static inline phd_sum phd_compress(phd_sum x, int count)
-{
-    if (x.count <= count) return x;
-    for (int k = 0; k <= count; k++) phd_sweep(&x);
-    for (int k = 0; k < count; k++) x.term[k] = x.term[x.count - count + k];
-    x.count = count;
-    return x;
-}
-
-/* a b + c d as a sum of floats */
-static inline phd_sum phd_two_products(double a, double b, double c, double d)
-{
-    const phd_sum second = phd_sum_of(phd_two_product(c, d));
-    return phd_joined(phd_sum_of(phd_two_product(a, b)), &second, 1.0);
-}
-
-static inline phd_pair phd_over(const phd_sum *x, phd_pair n) { return phd_divide(phd_distil(*x), n); }
-
-/* The invariants, summed exactly: near the separatrix c, F and D vanish together, and what is left of them decides. `size` is
-   |q|^2 of the quaternion as given: as a pair it would leave F of a planar top only 32 digits of what cancels. */
-static inline void phd_top_invariants(phd_top_reduction_record *t, const phd_sum *size)
-{
-    const double L1 = t->momentum.at[0], L2 = t->momentum.at[1], L3 = t->momentum.at[2];
-    const double w = t->quaternion.at[0], x = t->quaternion.at[1], y = t->quaternion.at[2], z = t->quaternion.at[3];
-    const phd_sum S = phd_two_products(x, x, y, y), T = phd_two_products(w, w, z, z);
-    const phd_sum real = phd_two_products(x, w, y, z), imaginary = phd_two_products(x, z, -y, w);
-    const phd_sum w2 = phd_two_products(L1, L1, L2, L2), minus_L3 = phd_sum_of(phd_two_product(L3, -L3));
-    const phd_sum G = phd_sum_of(t->G);
-    phd_sum in_phase, twist, c, c_plus, energy, F, D, rest, lean, part;
-    part = phd_sum_times(&imaginary, -L2);
-    in_phase = phd_compress(phd_joined(phd_sum_times(&real, L1), &part, 1.0), 4);
-    part = phd_sum_times(&imaginary, L1);
-    twist = phd_joined(phd_sum_times(&real, L2), &part, 1.0);
-    part.count = 0;
-    twist = phd_compress(phd_joined(part, &twist, 2.0), 4);
-    part = phd_sum_times(&S, -2.0 * L3);
-    c = phd_compress(phd_joined(twist, &part, 1.0), 4);
-    part = phd_sum_times(&T, 2.0 * L3);
-    c_plus = phd_compress(phd_joined(twist, &part, 1.0), 4);
-    part = phd_sum_times_sum(&G, &S);
-    energy = phd_compress(phd_joined(phd_sum_times_sum(size, &w2), &part, -2.0), 5);
-    part = phd_sum_times(&c, -L3);
-    F = phd_compress(phd_joined(energy, &part, 1.0), 5);
-    part.count = 0;
-    rest = phd_joined(phd_joined(part, &G, 2.0), &minus_L3, 1.0);
-    D = phd_compress(phd_joined(phd_sum_times_sum(size, &rest), &energy, -1.0), 5);
-    part = phd_sum_times_sum(&G, &c);
-    lean = phd_compress(phd_joined(phd_sum_times(&energy, L3), &part, -1.0), 6);
-    t->s0 = phd_scale(phd_over(&S, t->size), 2.0);
-    t->t0 = phd_scale(phd_over(&T, t->size), 2.0);
-    part = phd_joined(T, &S, -1.0);
-    t->u0 = phd_over(&part, t->size);
-    t->p = phd_scale(phd_over(&in_phase, t->size), -2.0);
-    t->c = phd_over(&c, t->size);
-    t->c_plus = phd_over(&c_plus, t->size);
-    t->twist = phd_over(&twist, t->size);
-    t->F = phd_over(&F, t->size);
-    t->D = phd_over(&D, t->size);
-    t->w2 = phd_distil(w2);
-    t->lean = phd_over(&lean, t->size);
-}
-
-/* Scales a tiny displacement from the vertical up. There the motion is linear in it, and the invariants are of its square, so
-   that squares of these underflow. Exactly at the threshold of sleeping, where it grows like t, it is dropped: nothing is to be
-   seen of it within 1e27 radians. */
-static inline void phd_lift_top(phd_top_reduction_record *t)
-{
-    double *q = t->quaternion.at, *L = t->momentum.at;
-    const double cosine = phd_larger(fabs(q[0]), fabs(q[3])), sine = phd_larger(fabs(q[1]), fabs(q[2]));
-    const double displacement = phd_larger(phd_smaller(cosine, sine), phd_larger(fabs(L[0]), fabs(L[1])));
-    const double exponent = phd_binary_exponent(displacement);
-    const phd_pair twice = phd_scale(t->G, 2.0), square = phd_two_product(L[2], L[2]);
-    const int upright = cosine >= sine;
-    double *const displaced[4] = {&q[upright ? 1 : 0], &q[upright ? 2 : 3], &L[0], &L[1]};
-    t->lift = 0.0;
-    if (!(displacement > 0.0 && exponent < -200.0 && t->G.hi > 0.0)) return;
-    if (upright && twice.hi == square.hi && twice.lo == square.lo) {
-        for (int k = 0; k < 4; k++) *displaced[k] = 0.0;
-        return;
-    }
-    t->lift = -150.0 - exponent;
-    for (int k = 0; k < 4; k++) *displaced[k] = phd_times_power(*displaced[k], t->lift);
-}
-
-static inline phd_top_reduction_record phd_reduced_top(
-    const double moments[3], double mgl, const double momentum[3], const double q[4])
-{
-    phd_top_reduction_record t;
-    const int turned = mgl < 0.0;
-    const double weight = fabs(mgl), sign = turned ? -1.0 : 1.0, of_moment = phd_binary_exponent(moments[0]);
-    const double largest = phd_larger(phd_larger(fabs(momentum[0]), fabs(momentum[1])), fabs(momentum[2]));
-    double exponent = phd_binary_exponent(largest);
-    phd_sum S, T, size;
-    if (weight > 0.0) { /* the larger of |L| and sqrt(mgl I1), without forming a product that may overflow */
-        const double half = floor(0.5 * (of_moment + phd_binary_exponent(weight) + 1.0));
-        exponent = largest > 0.0 ? phd_larger(exponent, half) : half;
-    }
-    /* a centre of mass below is one above on the reversed axis: a half turn about the first body axis */
-    t.quaternion = turned ? phd_make_four(-q[1], q[0], q[3], -q[2]) : phd_make_four(q[0], q[1], q[2], q[3]);
-    t.moments = phd_make_pair(phd_times_power(moments[0], -of_moment), phd_times_power(moments[2], -of_moment));
-    for (int k = 0; k < 3; k++) t.momentum.at[k] = (k ? sign : 1.0) * phd_times_power(momentum[k], -exponent);
-    t.reversed = turned;
-    t.momentum_scale = phd_times_power(1.0, exponent);
-    t.rate_scale = phd_times_power(1.0, exponent - of_moment);
-    t.G.hi = phd_times_power(phd_times_power(weight, of_moment - exponent), -exponent);
-    t.G = phd_scale(phd_two_product(t.G.hi, t.moments.hi), 2.0);
-    S = phd_two_products(t.quaternion.at[1], t.quaternion.at[1], t.quaternion.at[2], t.quaternion.at[2]);
-    T = phd_two_products(t.quaternion.at[0], t.quaternion.at[0], t.quaternion.at[3], t.quaternion.at[3]);
-    size = phd_compress(phd_joined(S, &T, 1.0), 4);
-    t.size = phd_distil(size);
-    phd_lift_top(&t);
-    phd_top_invariants(&t, &size);
-    return t;
-}
-
 typedef enum {
     POLHODE_TOP_REST,
     POLHODE_TOP_SLEEPING,
@@ -3660,7 +3782,9 @@ static inline int polhode_top_init(
     if (error) return error;
     if (moments[0] != moments[1]) return POLHODE_BAD_MOMENTS;
     if (!isfinite(mgl)) return POLHODE_BAD_MGL;
-    given.top = phd_reduced_top(moments, mgl, momentum, q);
+    given.top = phd_top_reduction(
+        phd_make_three(moments[0], moments[1], moments[2]), mgl, phd_make_three(momentum[0], momentum[1], momentum[2]),
+        phd_make_four(q[0], q[1], q[2], q[3]));
     given.points = phd_top_turning_points(&given.top);
     given.rates = phd_top_frequencies(&given.top, &given.points);
     integrals = phd_top_integrals_of(&given.top, &given.points, &given.rates);

@@ -8,7 +8,7 @@
 
 import { larger } from "../words.js";
 import { add, divide, multiply, root, rootOrZero, scale } from "./arithmetic.js";
-import { ONE, ZERO } from "./lagrange_top_roots.js";
+import { ONE, ZERO } from "./lagrange_top_reduction.js";
 
 export const MOST_STEPS = 40;
 export const CLOSE = 0.01; // of the spread, whose eighth power is what the closing formula leaves

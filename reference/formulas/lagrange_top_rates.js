@@ -21,7 +21,7 @@ import {
   twoSum,
 } from "./arithmetic.js";
 import { byTheta, thirdKindMean } from "./common.js";
-import { leaves, ONE, ZERO } from "./lagrange_top_roots.js";
+import { leaves, ONE, ZERO } from "./lagrange_top_reduction.js";
 
 /**
  * Rates by τ = t/I1 in scaled units; all but the signs and flags are double-double.

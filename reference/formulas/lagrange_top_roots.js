@@ -1,55 +1,23 @@
 // Printed from src/polhode/exact/lagrange_top/_formulas_roots.py by `python -m printing`: change that, and print again.
 //
-// The invariants of a top, and its turning points: the roots u1 ≤ u2 ≤ 1 ≤ u3 of u̇² = (α − βu)(1 − u²) − (b − au)².
+// The turning points of a top: the roots u1 ≤ u2 ≤ 1 ≤ u3 of u̇² = (α − βu)(1 − u²) − (b − au)².
 //
-// The invariants are those of `reduction`; pairs are double-double. One of the roots is well separated from the other
-// two, which follow from sums and products of roots without cancellation, whatever coincides. Source: Whittaker,
-// *Analytical Dynamics*, §71–73, for the cubic.
+// One of the roots is well separated from the other two. It is computed by Newton's method in double-double, in a
+// variable in which it is large; the others follow from sums and products of roots without cancellation, whatever
+// coincides. Sources: Whittaker, *Analytical Dynamics*, §71–73, for the cubic; Viète for the start.
 
-import { binaryExponent, timesPower } from "../words.js";
+import { binaryExponent, larger, smaller, timesPower } from "../words.js";
 import { add, divide, multiply, multiplyFloat, rootOrZero, scale, square, subtract, twoSquare } from "./arithmetic.js";
+import { ONE, ZERO } from "./lagrange_top_reduction.js";
 
 export const SQUARABLE = -400; // binary exponent down to which a square has all its digits
-export const ONE = [1, 0];
-export const ZERO = [0, 0];
-
-/**
- * A top with mgl ≥ 0, scaled by powers of two; pairs are double-double.
- *
- * u = cos θ, s = 1 − u, t = 1 + u, index 0 at the epoch; dots are derivatives by τ.
- *
- * @typedef {object} Reduction
- * @property {number[]} moments I1, I3
- * @property {number[]} momentum with the displacement scaled up by 2^lift
- * @property {number[]} quaternion not normalised; likewise
- * @property {boolean} reversed whether the axis was reversed
- * @property {number} lift binary exponent of the displacement's scale, 0 for most tops
- * @property {number} momentumScale powers of two taken out
- * @property {number} rateScale
- * @property {number[]} size |q|² as given
- * @property {number[]} G
- * @property {number[]} s0
- * @property {number[]} t0
- * @property {number[]} u0
- * @property {number[]} p u̇ at the epoch
- * @property {number[]} c p_φ − L3
- * @property {number[]} cPlus p_φ + L3
- * @property {number[]} twist p_φ − u L3 at the epoch
- * @property {number[]} F |w|² − G s − a c
- * @property {number[]} D 2G − a² − |w|² + G s
- * @property {number[]} w2 |w|² at the epoch
- * @property {number[]} lean a (|w|² − G s) − G c: its sign against a's tells loops from waves
- */
-
-/** Return whether the axis points up rather than down at the epoch. */
-export function isUpright(top) {
-  return top.s0[0] < top.t0[0];
-}
-
-/** Return whether the displacement was scaled up and grows. */
-export function leaves(top) {
-  return top.lift > 0 && isUpright(top) && top.D[0] > 0;
-}
+export const BEGIN = 0.8660254; // of cos(⅓ acos x), 0 ≤ x ≤ 1, to 2e-4
+export const SLOPE = 0.1642;
+export const CURVE = -0.0302;
+export const AT_ONCE = 2; // steps of Newton's, of all and of any: two do, three more where the start was poor
+export const MOST = 5;
+// 2.0 ** (-60); of the last change over the root: what is left is smaller by a float64's precision
+export const CONVERGED = 8.673617379884035e-19;
 
 /**
  * Distances between the roots, the poles u = ±1 and the start u0, each as a number of its own.
@@ -69,7 +37,17 @@ export function leaves(top) {
  * @property {number[]} ZPlus G (u3 + 1)
  */
 
-// ---------------------------------------------------------------------- turning points
+/**
+ * The cubic whose largest root stands apart from the others.
+ *
+ * @typedef {object} Apart
+ * @property {boolean} upper whether it is that of Y, and the root u3, or that of s, and the root u1
+ * @property {Array} cubic
+ * @property {number} start near the root
+ * @property {number[]} f1
+ */
+
+// ---------------------------------------------------------------------- the separate root
 
 /** Return f1, and the cubics x³ + bx² + cx + d of Y = G (u3 − u0) and of s = 1 − u1; `inverse` is 1/G. */
 export function cubics(axial, g, inverse, s0, t0, u0, w2, twist, p2, c2, d, f) {
@@ -82,6 +60,73 @@ export function cubics(axial, g, inverse, s0, t0, u0, w2, twist, p2, c2, d, f) {
   f = multiply(f, inverse);
   return [f1, [f2, multiply(g, f1), multiply(square(g), p2)], [[-d[0], -d[1]], scale(f, -2), multiply(c2, inverse)]];
 }
+
+/** Return b/3, r and cos 3φ of a cubic with real roots, of which 2r cos φ − b/3 is the largest. */
+function _byAngle(cubic) {
+  // x = 2r cos φ − b/3 with r = √(−P/3) and cos 3φ = −Q/2r³
+  const b = cubic[0][0];
+  const c = cubic[1][0];
+  const d = cubic[2][0];
+  const third = b / 3;
+  const p = c - b * third;
+  const q = 2 * (third * third) * third - third * c + d;
+  const r = Math.sqrt(larger(-p / 3, 0 * p));
+  return [third, r, r > 0 ? -0.5 * q / (r * r * r) : 1];
+}
+
+/** Return the cubic whose largest root stands apart. */
+export function apart(top) {
+  const weightless = !(top.G[0] > 0);
+  const one = ONE;
+  const { 0: f1, 1: ofY, 2: ofS } = cubics(
+    top.momentum[2],
+    top.G,
+    divide(one, weightless ? one : top.G),
+    top.s0,
+    top.t0,
+    top.u0,
+    top.w2,
+    top.twist,
+    square(top.p),
+    square(top.c),
+    top.D,
+    top.F,
+  );
+  const { 0: third, 1: r, 2: cosine } = _byAngle(ofY);
+  const { 0: otherThird, 1: otherR, 2: other } = _byAngle(ofS);
+  const upper = cosine >= 0 || weightless;
+  let x = upper ? cosine : other;
+  x = smaller(larger(x, 0 * x), 1 + 0 * x);
+  // cos φ is a root of 4 y³ − 3 y = x
+  let y = BEGIN + x * (SLOPE + x * CURVE);
+  y = (8 * y * y * y + x) / (12 * y * y - 3);
+  y = (8 * y * y * y + x) / (12 * y * y - 3);
+  const cubic = [upper ? ofY[0] : ofS[0], upper ? ofY[1] : ofS[1], upper ? ofY[2] : ofS[2]];
+  return { upper, cubic, start: 2 * (upper ? r : otherR) * y - (upper ? third : otherThird), f1 };
+}
+
+/** Return the root before the first step. */
+export function begun(lone) {
+  return [[lone.start, 0 * lone.start], lone.start, lone.cubic];
+}
+
+/** Return a root after a step of Newton's, whose slope need not be sharp. */
+export function nearer(root) {
+  const { 0: x, 2: cubic } = root;
+  const { 0: b, 1: c, 2: d } = cubic;
+  const value = add(multiply(add(multiply(add(x, b), x), c), x), d);
+  let change = -value[0] / ((3 * x[0] + 2 * b[0]) * x[0] + c[0]);
+  change = change - change === 0 ? change : 0;
+  return [add(x, [change, 0 * change]), change, cubic];
+}
+
+/** Return whether the last change leaves nothing to be changed. */
+export function isFound(root) {
+  const { 0: x, 1: change } = root;
+  return x[0] > 0 && Math.abs(change) <= CONVERGED * x[0];
+}
+
+// ---------------------------------------------------------------------- turning points
 
 /** Return x / y, and zero for x = 0 whatever y. */
 export function quotient(x, y) {
@@ -102,9 +147,9 @@ export function difference(total, product) {
 /** Return x ≥ 0 and y ≥ 0 from x − y, x + y and x y. */
 function _largerAndSmaller(total, sum, product) {
   const positive = total[0] >= 0;
-  const larger = scale(add(sum, positive ? total : [-total[0], -total[1]]), 0.5);
-  const smaller = larger[0] > 0 ? quotient(product, larger) : ZERO;
-  return [positive ? larger : smaller, positive ? smaller : larger];
+  const most = scale(add(sum, positive ? total : [-total[0], -total[1]]), 0.5);
+  const least = most[0] > 0 ? quotient(product, most) : ZERO;
+  return [positive ? most : least, positive ? least : most];
 }
 
 /** From Y = G (u3 − u0): with v = u − u0, v1 + v2 = (f1 + G p²/Y)/Y and v1 v2 = −p²/Y. */
@@ -142,26 +187,43 @@ function _lowerRootApart(g, s0, p2, c2, f, s1) {
   return [lower, upper, subtract(s1, s2), s1, s2, multiply(g, add(s1, minusS3)), multiply(g, between), y, z];
 }
 
-/** Return the turning points from the separate root, Y or else s1; `safe` is G, where it is positive. */
-export function turningPointsOf(isUpper, loneRoot, g, safe, s0, t0, p2, c2, cPlus, f, f1) {
-  const x = _upperRootApart(g, s0, p2, c2, f1, loneRoot);
-  const y = _lowerRootApart(safe, s0, p2, c2, f, loneRoot);
+/** Return the turning points from the separate root, Y or else s1. */
+export function turningPointsOf(top, isUpper, lone, f1) {
+  const g = top.G;
+  const s0 = top.s0;
+  const t0 = top.t0;
+  const p2 = square(top.p);
+  const c2 = square(top.c);
+  const x = _upperRootApart(g, s0, p2, c2, f1, lone);
+  const y = _lowerRootApart(g[0] > 0 ? g : ONE, s0, p2, c2, top.F, lone);
   const upper = isUpper ? x[1] : y[1];
-  const apart = isUpper ? x[7] : y[7];
+  const above = isUpper ? x[7] : y[7];
   const t2 = add(t0, upper);
-  const z = add(apart, multiply(g, t0));
+  const z = add(above, multiply(g, t0));
   return {
     fromLower: isUpper ? x[0] : y[0],
     fromUpper: upper,
     d: isUpper ? x[2] : y[2],
     s1: isUpper ? x[3] : y[3],
     s2: isUpper ? x[4] : y[4],
-    t1: quotient(square(cPlus), multiply(t2, z)),
+    t1: quotient(square(top.cPlus), multiply(t2, z)),
     t2,
     A: isUpper ? x[5] : y[5],
     B: isUpper ? x[6] : y[6],
-    Y: apart,
+    Y: above,
     ZMinus: isUpper ? x[8] : y[8],
     ZPlus: z,
   };
+}
+
+/** Return the turning points of a top. */
+export function turningPoints(top) {
+  const lone = apart(top);
+  let running = begun(lone);
+  for (let k = 0; k < MOST; k++) {
+    if (k >= AT_ONCE && isFound(running)) break;
+    running = nearer(running);
+  }
+  const { 0: root } = running;
+  return turningPointsOf(top, lone.upper, root, lone.f1);
 }

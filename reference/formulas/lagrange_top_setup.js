@@ -7,7 +7,7 @@ import { add, divide, halves, root, scale, sineCosine, whole } from "./arithmeti
 import { nomePerParameter } from "./common.js";
 import { complementaryPhase, complementarySums, fullSums } from "./lagrange_top.js";
 import { climb, halfPeriods, periods, phaseRates } from "./lagrange_top_rates.js";
-import { isUpright, leaves, ONE, ZERO } from "./lagrange_top_roots.js";
+import { isUpright, leaves, ONE, ZERO } from "./lagrange_top_reduction.js";
 
 export const NO_TERMS = [0, 0, 0, 0];
 

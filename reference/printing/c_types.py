@@ -10,9 +10,9 @@ from printing.layout import WIDTH, Line, Loose
 from printing.tree import NUMBER, Notes, Record, Row, Scalar, Structure, Tuple, Type, items_of
 
 PREFIX = "phd_"
-SPACES = {".free_body": "free_", ".lagrange_top": "top_", ".single_top": "top_"}
+SPACES = {".free_body": "free_", ".lagrange_top": "top_"}
 """Packages whose names need telling apart in C, which has one space of names."""
-SCALARS = {"number": "double", "flag": "int", "whole": "int"}
+SCALARS = {"number": "double", "flag": "int", "whole": "int", "sum": "phd_sum"}
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh",
             "twelfth")  # fmt: skip
 RESERVED = {"double", "float", "int", "short", "long", "this", "new", "register", "class", "template", "I"}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from printing.layout import SOFT, WIDTH, Broken, Document, Group, Line, Nest, enclosed, laid_out
 from printing.tree import (
@@ -51,7 +51,9 @@ WORDS = {
     "arctangent": "Math.atan", "angle_of": "Math.atan2", "logarithm": "Math.log", "hyperbolic_sine": "Math.sinh",
     "area_of_sine": "Math.asinh",
 }  # fmt: skip
-"""Others are functions of words.js."""
+"""Others are functions of words.js and exact_sums.js."""
+IDENTITY = "as_sum"  # both a pair and an exact sum are arrays
+WordFile = Callable[[str], str]
 CONSTANTS = {"pi": "Math.PI", "nan": "NaN", "inf": "Infinity"}
 RESERVED = {
     "arguments", "await", "case", "catch", "class", "const", "default", "delete", "do", "enum", "eval", "export",
@@ -62,34 +64,35 @@ RESERVED = {
 IDENTIFIER = re.compile(r"``([a-z_]\w*)``")
 
 
-def print_file(modules: Sequence[Module], files: Mapping[str, str], words: str, about: str = "") -> str:
+def print_file(modules: Sequence[Module], files: Mapping[str, str], word_file: WordFile, about: str = "") -> str:
     """Return the text of a file.
 
     Args:
         modules: that it has.
         files: name of a module → name of its file, from the folder on.
-        words: name of the file of words.
+        word_file: name of a word → name of its file.
         about: what the file has; else the first module's docstring says so.
     """
     here = files[modules[0].name]
-    places = (("reference/" if module.name.startswith("printing.") else "src/") + module.name for module in modules)
-    sources = ", ".join(place.replace(".", "/") + ".py" for place in places)
+    sources = ", ".join(f"src/{module.name.replace('.', '/')}.py" for module in modules)
     said = f"Printed from {sources} by `python -m printing`: change that, and print again.\n\n"
     said += about or modules[0].docstring
-    parts = ["\n".join(_comment(said)), *_imports(modules, files, here, words)]
+    parts = ["\n".join(_comment(said)), *_imports(modules, files, here, word_file)]
     for module in modules:
         parts += [_definition(each) for each in _in_groups(module.definitions)]
     return "\n\n".join(parts) + "\n"
 
 
-def _imports(modules: Sequence[Module], files: Mapping[str, str], here: str, words: str) -> Iterator[str]:
+def _imports(
+    modules: Sequence[Module], files: Mapping[str, str], here: str, word_file: WordFile
+) -> Iterator[str]:
     taken: dict[str, set[str]] = {}
     for function in (x for module in modules for x in module.definitions if isinstance(x, Function)):
         for module, name in function.calls:
             if module:
                 taken.setdefault(files[module], set()).add(name_of(name, module))
-            elif name not in WORDS:
-                taken.setdefault(words, set()).add(hump(name))
+            elif name not in WORDS and name != IDENTITY:
+                taken.setdefault(word_file(name), set()).add(hump(name))
     taken.pop(here, None)
     lines = []
     for file in sorted(taken):
@@ -335,6 +338,8 @@ def _expression(value: Expression) -> tuple[Document, int]:
             parts = (expression(test, CHOICE + 1), Nest((Line(), "? ", expression(yes, CHOICE + 1), Line(), ": ",
                                                          expression(no))))  # fmt: skip
             return Group(parts), CHOICE
+        case Call(name, "", (only,)) if name == IDENTITY:
+            return _expression(only)
         case Call(name, module, arguments):
             called = name_of(name, module) if module else WORDS.get(name, hump(name))
             return (called, enclosed("(", map(expression, arguments), ")")), ATOM

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from printing.javascript import print_file
 from printing.language import Root, read
+from printing.words import EXACT_SUMS
 
 FOLDER = Path(__file__).parents[1] / "formulas"
-WORDS = "../words.js"
 EXACT = "polhode.exact."
 FILES = {
     EXACT + "_kernel_arithmetic": "./arithmetic.js",
@@ -23,8 +23,8 @@ FILES = {
     EXACT + "lagrange_top._formulas_integrals": "./lagrange_top_integrals.js",
     EXACT + "lagrange_top._formulas_numbers": "./lagrange_top_numbers.js",
     EXACT + "lagrange_top._formulas_rates": "./lagrange_top_rates.js",
+    EXACT + "lagrange_top._formulas_reduction": "./lagrange_top_reduction.js",
     EXACT + "lagrange_top._formulas_roots": "./lagrange_top_roots.js",
-    "printing.single_top": "./lagrange_top_turning_points.js",
     EXACT + "lagrange_top._formulas_setup": "./lagrange_top_setup.js",
 }
 ABOUT = {
@@ -42,7 +42,8 @@ ROOTS = [
     Root(EXACT + "free_body._formulas_setup", "motion_of"),
     Root(EXACT + "free_body._formulas_setup", "axes_of"),
     Root(EXACT + "free_body._formulas_numbers", "numbers"),
-    Root("printing.single_top", "turning_points"),
+    Root(EXACT + "lagrange_top._formulas_reduction", "reduction"),
+    Root(EXACT + "lagrange_top._formulas_roots", "turning_points"),
     Root(EXACT + "lagrange_top._formulas_integrals", "integrals_of"),
     Root(EXACT + "lagrange_top._formulas_rates", "frequencies"),
     Root(EXACT + "lagrange_top._formulas_setup", "arguments"),
@@ -52,10 +53,14 @@ ROOTS = [
 ]
 
 
+def word_file(name: str) -> str:
+    return "../exact_sums.js" if name in EXACT_SUMS else "../words.js"
+
+
 def javascript_files() -> dict[Path, str]:
     """Return path → text of all files."""
     modules = read(ROOTS)
     return {
-        FOLDER / name: print_file([x for x in modules if FILES[x.name] == name], FILES, WORDS, ABOUT.get(name, ""))
+        FOLDER / name: print_file([x for x in modules if FILES[x.name] == name], FILES, word_file, ABOUT.get(name, ""))
         for name in dict.fromkeys(FILES.values())
     }

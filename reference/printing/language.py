@@ -17,6 +17,7 @@ from printing.tree import (
     FLAG,
     NUMBER,
     ROW,
+    SUM,
     WHOLE,
     Constant,
     Definition,
@@ -34,6 +35,7 @@ from printing.words import is_word
 
 SCALARS: dict[str, Type] = {
     "float": NUMBER, "bool": FLAG, "int": WHOLE, "Number": NUMBER, "Truth": FLAG, "Any": NUMBER,
+    "Sum": SUM,
 }  # fmt: skip
 Resolve = Callable[[str], tuple[Source, str] | None]
 

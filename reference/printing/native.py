@@ -16,14 +16,14 @@ HERE = Path(__file__).parent
 REFERENCE = HERE.parent
 EXACT = "polhode.exact."
 FREE, TOP = f"{EXACT}free_body.", f"{EXACT}lagrange_top."
-SINGLE_TOP = "printing.single_top"
 ROOTS = (
     Root(f"{FREE}_formulas_reduction", "reduction"),
     Root(f"{FREE}_formulas_rates", "frequencies"),
     Root(f"{FREE}_formulas_setup", "motion_of"),
     Root(f"{FREE}_formulas_numbers", "numbers"),
     Root(f"{EXACT}_kernel_loops", "state_at", given=f"{FREE}_formulas"),
-    Root(SINGLE_TOP, "turning_points"),
+    Root(f"{TOP}_formulas_reduction", "reduction"),
+    Root(f"{TOP}_formulas_roots", "turning_points"),
     Root(f"{TOP}_formulas_integrals", "integrals_of"),
     Root(f"{TOP}_formulas_rates", "frequencies"),
     Root(f"{TOP}_formulas_setup", "arguments"),
@@ -41,7 +41,7 @@ PRINTED = "Printed from src/polhode/exact by `python -m printing` in reference/:
 
 
 def part_of(module: str) -> str:
-    return "lagrange_top" if module == SINGLE_TOP else next((part for part in PARTS if f".{part}." in module), BOTH)
+    return next((part for part in PARTS if f".{part}." in module), BOTH)
 
 
 def native_files() -> dict[Path, str]:

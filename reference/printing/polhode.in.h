@@ -83,6 +83,78 @@ static inline double phd_binary_exponent(double x)
 /* ---------------------------------------------------------------- formulas of both motions */
 
 @both@
+/* ---------------------------------------------------------------- exact sums, words of the formulas too */
+
+/* An unevaluated sum of floats, exact. Shewchuk 1997. */
+typedef struct { int count; double term[64]; } phd_sum;
+
+static inline phd_sum phd_as_sum(phd_pair x)
+{
+    phd_sum s;
+    s.count = 2;
+    s.term[0] = x.hi;
+    s.term[1] = x.lo;
+    return s;
+}
+
+static inline phd_sum phd_join(phd_sum x, phd_sum y)
+{
+    for (int k = 0; k < y.count; k++) x.term[x.count++] = y.term[k];
+    return x;
+}
+
+static inline phd_sum phd_negated(phd_sum x)
+{
+    for (int k = 0; k < x.count; k++) x.term[k] = -x.term[k];
+    return x;
+}
+
+static inline phd_sum phd_multiply_terms(phd_sum x, double factor)
+{
+    phd_sum s;
+    s.count = 0;
+    for (int k = 0; k < x.count; k++) {
+        const phd_pair p = phd_two_product(x.term[k], factor);
+        s.term[s.count++] = p.hi;
+        s.term[s.count++] = p.lo;
+    }
+    return s;
+}
+
+/* Moves the leading parts to the end; the sum stays exactly what it was. Ogita, Rump & Oishi 2005. */
+static inline phd_sum phd_swept(phd_sum x, int times)
+{
+    while (times-- > 0) {
+        for (int k = 1; k < x.count; k++) {
+            const phd_pair s = phd_two_sum(x.term[k - 1], x.term[k]);
+            x.term[k - 1] = s.lo;
+            x.term[k] = s.hi;
+        }
+    }
+    return x;
+}
+
+/* The sum as one of `count` terms at most, largest last, correct to 2^(-53 count) of its size. */
+static inline phd_sum phd_compress(phd_sum x, int count)
+{
+    const int more = x.count - count;
+    if (more <= 0) return x;
+    x = phd_swept(x, count + 1);
+    for (int k = 0; k < count; k++) x.term[k] = x.term[more + k];
+    x.count = count;
+    return x;
+}
+
+/* The sum to double-double accuracy, whatever cancels, up to 2^-265. */
+static inline phd_pair phd_distil(phd_sum x)
+{
+    double rest;
+    x = phd_swept(x, 5);
+    rest = x.term[0];
+    for (int k = 1; k < x.count - 1; k++) rest += x.term[k];
+    return phd_two_sum(x.term[x.count - 1], rest);
+}
+
 /* ---------------------------------------------------------------- what both motions are made of */
 
 static inline int phd_arithmetic_is_exact(void)
@@ -225,178 +297,6 @@ static inline int polhode_free_body_state(const polhode_free_body *m, double t, 
 @lagrange_top@
 /* ---------------------------------------------------------------- the Lagrange top */
 
-/* An unevaluated sum of floats, exact. Shewchuk 1997. */
-typedef struct { int count; double term[64]; } phd_sum;
-
-static inline phd_sum phd_sum_of(phd_pair x) { phd_sum s; s.count = 2; s.term[0] = x.hi; s.term[1] = x.lo; return s; }
-
-static inline phd_sum phd_joined(phd_sum x, const phd_sum *y, double power_of_two)
-{
-    for (int k = 0; k < y->count; k++) x.term[x.count++] = y->term[k] * power_of_two;
-    return x;
-}
-
-static inline phd_sum phd_sum_times(const phd_sum *x, double factor)
-{
-    phd_sum s;
-    s.count = 2 * x->count;
-    for (int k = 0; k < x->count; k++) {
-        const phd_pair p = phd_two_product(x->term[k], factor);
-        s.term[2 * k] = p.hi;
-        s.term[2 * k + 1] = p.lo;
-    }
-    return s;
-}
-
-static inline phd_sum phd_sum_times_sum(const phd_sum *x, const phd_sum *y)
-{
-    phd_sum s;
-    s.count = 0;
-    for (int k = 0; k < y->count; k++) {
-        const phd_sum part = phd_sum_times(x, y->term[k]);
-        s = phd_joined(s, &part, 1.0);
-    }
-    return s;
-}
-
-/* Moves the leading part to the end; the sum stays exactly what it was. Ogita, Rump & Oishi 2005. */
-static inline void phd_sweep(phd_sum *x)
-{
-    double running = x->term[0];
-    for (int k = 1; k < x->count; k++) {
-        const phd_pair s = phd_two_sum(running, x->term[k]);
-        running = s.hi;
-        x->term[k - 1] = s.lo;
-    }
-    x->term[x->count - 1] = running;
-}
-
-/* The sum to double-double accuracy, whatever cancels, up to 2^-265. */
-static inline phd_pair phd_distil(phd_sum x)
-{
-    double rest;
-    for (int k = 0; k < 5; k++) phd_sweep(&x);
-    rest = x.term[0];
-    for (int k = 1; k < x.count - 1; k++) rest += x.term[k];
-    return phd_two_sum(x.term[x.count - 1], rest);
-}
-
-/* The sum as one of `count` floats, largest last, correct to 2^(-53 count) of its size. */
-static inline phd_sum phd_compress(phd_sum x, int count)
-{
-    if (x.count <= count) return x;
-    for (int k = 0; k <= count; k++) phd_sweep(&x);
-    for (int k = 0; k < count; k++) x.term[k] = x.term[x.count - count + k];
-    x.count = count;
-    return x;
-}
-
-/* a b + c d as a sum of floats */
-static inline phd_sum phd_two_products(double a, double b, double c, double d)
-{
-    const phd_sum second = phd_sum_of(phd_two_product(c, d));
-    return phd_joined(phd_sum_of(phd_two_product(a, b)), &second, 1.0);
-}
-
-static inline phd_pair phd_over(const phd_sum *x, phd_pair n) { return phd_divide(phd_distil(*x), n); }
-
-/* The invariants, summed exactly: near the separatrix c, F and D vanish together, and what is left of them decides. `size` is
-   |q|^2 of the quaternion as given: as a pair it would leave F of a planar top only 32 digits of what cancels. */
-static inline void phd_top_invariants(phd_top_reduction_record *t, const phd_sum *size)
-{
-    const double L1 = t->momentum.at[0], L2 = t->momentum.at[1], L3 = t->momentum.at[2];
-    const double w = t->quaternion.at[0], x = t->quaternion.at[1], y = t->quaternion.at[2], z = t->quaternion.at[3];
-    const phd_sum S = phd_two_products(x, x, y, y), T = phd_two_products(w, w, z, z);
-    const phd_sum real = phd_two_products(x, w, y, z), imaginary = phd_two_products(x, z, -y, w);
-    const phd_sum w2 = phd_two_products(L1, L1, L2, L2), minus_L3 = phd_sum_of(phd_two_product(L3, -L3));
-    const phd_sum G = phd_sum_of(t->G);
-    phd_sum in_phase, twist, c, c_plus, energy, F, D, rest, lean, part;
-    part = phd_sum_times(&imaginary, -L2);
-    in_phase = phd_compress(phd_joined(phd_sum_times(&real, L1), &part, 1.0), 4);
-    part = phd_sum_times(&imaginary, L1);
-    twist = phd_joined(phd_sum_times(&real, L2), &part, 1.0);
-    part.count = 0;
-    twist = phd_compress(phd_joined(part, &twist, 2.0), 4);
-    part = phd_sum_times(&S, -2.0 * L3);
-    c = phd_compress(phd_joined(twist, &part, 1.0), 4);
-    part = phd_sum_times(&T, 2.0 * L3);
-    c_plus = phd_compress(phd_joined(twist, &part, 1.0), 4);
-    part = phd_sum_times_sum(&G, &S);
-    energy = phd_compress(phd_joined(phd_sum_times_sum(size, &w2), &part, -2.0), 5);
-    part = phd_sum_times(&c, -L3);
-    F = phd_compress(phd_joined(energy, &part, 1.0), 5);
-    part.count = 0;
-    rest = phd_joined(phd_joined(part, &G, 2.0), &minus_L3, 1.0);
-    D = phd_compress(phd_joined(phd_sum_times_sum(size, &rest), &energy, -1.0), 5);
-    part = phd_sum_times_sum(&G, &c);
-    lean = phd_compress(phd_joined(phd_sum_times(&energy, L3), &part, -1.0), 6);
-    t->s0 = phd_scale(phd_over(&S, t->size), 2.0);
-    t->t0 = phd_scale(phd_over(&T, t->size), 2.0);
-    part = phd_joined(T, &S, -1.0);
-    t->u0 = phd_over(&part, t->size);
-    t->p = phd_scale(phd_over(&in_phase, t->size), -2.0);
-    t->c = phd_over(&c, t->size);
-    t->c_plus = phd_over(&c_plus, t->size);
-    t->twist = phd_over(&twist, t->size);
-    t->F = phd_over(&F, t->size);
-    t->D = phd_over(&D, t->size);
-    t->w2 = phd_distil(w2);
-    t->lean = phd_over(&lean, t->size);
-}
-
-/* Scales a tiny displacement from the vertical up. There the motion is linear in it, and the invariants are of its square, so
-   that squares of these underflow. Exactly at the threshold of sleeping, where it grows like t, it is dropped: nothing is to be
-   seen of it within 1e27 radians. */
-static inline void phd_lift_top(phd_top_reduction_record *t)
-{
-    double *q = t->quaternion.at, *L = t->momentum.at;
-    const double cosine = phd_larger(fabs(q[0]), fabs(q[3])), sine = phd_larger(fabs(q[1]), fabs(q[2]));
-    const double displacement = phd_larger(phd_smaller(cosine, sine), phd_larger(fabs(L[0]), fabs(L[1])));
-    const double exponent = phd_binary_exponent(displacement);
-    const phd_pair twice = phd_scale(t->G, 2.0), square = phd_two_product(L[2], L[2]);
-    const int upright = cosine >= sine;
-    double *const displaced[4] = {&q[upright ? 1 : 0], &q[upright ? 2 : 3], &L[0], &L[1]};
-    t->lift = 0.0;
-    if (!(displacement > 0.0 && exponent < -200.0 && t->G.hi > 0.0)) return;
-    if (upright && twice.hi == square.hi && twice.lo == square.lo) {
-        for (int k = 0; k < 4; k++) *displaced[k] = 0.0;
-        return;
-    }
-    t->lift = -150.0 - exponent;
-    for (int k = 0; k < 4; k++) *displaced[k] = phd_times_power(*displaced[k], t->lift);
-}
-
-static inline phd_top_reduction_record phd_reduced_top(
-    const double moments[3], double mgl, const double momentum[3], const double q[4])
-{
-    phd_top_reduction_record t;
-    const int turned = mgl < 0.0;
-    const double weight = fabs(mgl), sign = turned ? -1.0 : 1.0, of_moment = phd_binary_exponent(moments[0]);
-    const double largest = phd_larger(phd_larger(fabs(momentum[0]), fabs(momentum[1])), fabs(momentum[2]));
-    double exponent = phd_binary_exponent(largest);
-    phd_sum S, T, size;
-    if (weight > 0.0) { /* the larger of |L| and sqrt(mgl I1), without forming a product that may overflow */
-        const double half = floor(0.5 * (of_moment + phd_binary_exponent(weight) + 1.0));
-        exponent = largest > 0.0 ? phd_larger(exponent, half) : half;
-    }
-    /* a centre of mass below is one above on the reversed axis: a half turn about the first body axis */
-    t.quaternion = turned ? phd_make_four(-q[1], q[0], q[3], -q[2]) : phd_make_four(q[0], q[1], q[2], q[3]);
-    t.moments = phd_make_pair(phd_times_power(moments[0], -of_moment), phd_times_power(moments[2], -of_moment));
-    for (int k = 0; k < 3; k++) t.momentum.at[k] = (k ? sign : 1.0) * phd_times_power(momentum[k], -exponent);
-    t.reversed = turned;
-    t.momentum_scale = phd_times_power(1.0, exponent);
-    t.rate_scale = phd_times_power(1.0, exponent - of_moment);
-    t.G.hi = phd_times_power(phd_times_power(weight, of_moment - exponent), -exponent);
-    t.G = phd_scale(phd_two_product(t.G.hi, t.moments.hi), 2.0);
-    S = phd_two_products(t.quaternion.at[1], t.quaternion.at[1], t.quaternion.at[2], t.quaternion.at[2]);
-    T = phd_two_products(t.quaternion.at[0], t.quaternion.at[0], t.quaternion.at[3], t.quaternion.at[3]);
-    size = phd_compress(phd_joined(S, &T, 1.0), 4);
-    t.size = phd_distil(size);
-    phd_lift_top(&t);
-    phd_top_invariants(&t, &size);
-    return t;
-}
-
 typedef enum {
     POLHODE_TOP_REST,
     POLHODE_TOP_SLEEPING,
@@ -449,7 +349,9 @@ static inline int polhode_top_init(
     if (error) return error;
     if (moments[0] != moments[1]) return POLHODE_BAD_MOMENTS;
     if (!isfinite(mgl)) return POLHODE_BAD_MGL;
-    given.top = phd_reduced_top(moments, mgl, momentum, q);
+    given.top = phd_top_reduction(
+        phd_make_three(moments[0], moments[1], moments[2]), mgl, phd_make_three(momentum[0], momentum[1], momentum[2]),
+        phd_make_four(q[0], q[1], q[2], q[3]));
     given.points = phd_top_turning_points(&given.top);
     given.rates = phd_top_frequencies(&given.top, &given.points);
     integrals = phd_top_integrals_of(&given.top, &given.points, &given.rates);

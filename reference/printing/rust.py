@@ -54,7 +54,7 @@ from printing.tree import (
     items_of,
 )
 
-SCALARS = {"number": "f64", "flag": "bool", "whole": "i32"}
+SCALARS = {"number": "f64", "flag": "bool", "whole": "i32", "sum": "Sum"}
 RESERVED = {"as", "box", "fn", "in", "let", "loop", "match", "mod", "move", "ref", "self", "type", "use", "where"}
 METHODS = {
     "square_root": "sqrt", "exponential": "exp", "floor": "floor", "abs": "abs",

@@ -2,7 +2,7 @@
 
 A program is modules; a module has constants, records and functions, in the order of its source; a function has
 statements: assignments, ``if``, and a return in the end of every branch. There are no loops but ``Repeat``, no side
-effects, and no types but numbers, flags, whole numbers, and tuples and records of these.
+effects, and no types but numbers, flags, whole numbers, exact sums, and tuples and records of these.
 
 What Python writes shortly is taken apart here: keyword arguments are in the order of the parameters, a star in a call
 or tuple has become items, and ``a, b = x, y`` is two assignments where the second does not need the old ``a``.
@@ -42,6 +42,7 @@ class Row:
 
 Type = Scalar | Tuple | Record | Row
 NUMBER, FLAG, WHOLE, FUNCTION = Scalar("number"), Scalar("flag"), Scalar("whole"), Scalar("function")
+SUM = Scalar("sum")  # of floats, never added up; only words look into it
 ROW = Row()
 
 

@@ -7,12 +7,21 @@ function or an operator of its language.
 from __future__ import annotations
 
 from printing.sources import Source
-from printing.tree import NUMBER, Type
+from printing.tree import NUMBER, SUM, WHOLE, Tuple, Type
 
 Signature = tuple[tuple[Type, ...], Type]
 ONE: Signature = ((NUMBER,), NUMBER)
 TWO: Signature = ((NUMBER, NUMBER), NUMBER)
-WORDS: dict[str, Signature] = {
+PAIR = Tuple((NUMBER, NUMBER))
+EXACT_SUMS: dict[str, Signature] = {
+    "as_sum": ((PAIR,), SUM),
+    "join": ((SUM, SUM), SUM),
+    "negated": ((SUM,), SUM),
+    "multiply_terms": ((SUM, NUMBER), SUM),
+    "compress": ((SUM, WHOLE), SUM),  # to so many terms at most
+    "distil": ((SUM,), PAIR),
+}
+WORDS: dict[str, Signature] = EXACT_SUMS | {
     "square_root": ONE,  # NaN below zero
     "exponential": ONE,
     "floor": ONE,

@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,7 +21,8 @@ from polhode.exact.free_body._formulas_setup import motion_of as body_motion
 from polhode.exact.lagrange_top import _evaluation as top_evaluation
 from polhode.exact.lagrange_top import _formulas as top_formulas
 from polhode.exact.lagrange_top._formulas_rates import frequencies as top_frequencies
-from polhode.exact.lagrange_top._preparation import prepare
+from polhode.exact.lagrange_top._formulas_reduction import reduction as top_reduction
+from polhode.exact.lagrange_top._formulas_roots import turning_points
 from printing import sources
 from printing.javascript import hump
 from printing.javascript_files import FOLDER, javascript_files
@@ -52,7 +54,8 @@ def test_the_files_are_what_is_printed():
 @pytest.mark.parametrize(("name", "right", "wrong", "file"), [
     ("exact/_formulas.py", "1.0 + e4 * (2.0 + e4", "1.0 + e4 * (3.0 + e4", "common.js"),
     ("_kernel_arithmetic.py", "e + (x[1] + y[1]))", "(e + x[1]) + y[1])", "arithmetic.js"),
-    ("_formulas_reduction.py", "swap = other[0] < one[0]", "swap = other[0] <= one[0]", "free_body_reduction.js"),
+    ("free_body/_formulas_reduction.py", "= other[0] < one[0]", "= other[0] <= one[0]", "free_body_reduction.js"),
+    ("top/_formulas_reduction.py", "_terms(c, -l3)", "_terms(c, l3)", "lagrange_top_reduction.js"),
 ])  # fmt: skip
 def test_a_changed_formula_is_seen(monkeypatch, name, right, wrong, file):
     def changed(path):
@@ -73,8 +76,9 @@ def test_a_changed_formula_is_seen(monkeypatch, name, right, wrong, file):
 
 def test_all_words_are_used_and_stores_are_not_printed():
     text = "".join(javascript_files().values())
-    words = re.findall(r"^export \w+ (\w+)", (FOLDER.parent / "words.js").read_text("utf-8"), re.MULTILINE)
-    assert len(words) >= 5 and all(f"{word}(" in text for word in words)
+    files = ((FOLDER.parent / name).read_text("utf-8") for name in ("words.js", "exact_sums.js"))
+    words = [word for file in files for word in re.findall(r"^export \w+ (\w+)", file, re.MULTILINE)]
+    assert len(words) >= 10 and all(f"{word}(" in text for word in words)
     assert not re.search(r"BLOCK|putRecord|\b(where|choose|iterate)\(", text)
 
 
@@ -179,8 +183,14 @@ def test_words_are_those_of_python():
     two += [(words.times_power, (x, n)) for x in EDGES for n in POWERS if abs(x) < 1.0]
     found = by_node([("../words.js", hump(word.__name__), given) for word, given in one + two])
     assert not differences(found, [as_json(word(*given)) for word, given in one + two])
+    sums = [(1e16, 1.1, -1e16, x, y, -1.1, x * y) for x in EDGES for y in (0.1, 3e-30)]
+    more = [(word, (x, *rest)) for word, rest in OF_SUMS.items() for x in sums]
+    found = by_node([("../exact_sums.js", hump(word.__name__), given) for word, given in more])
+    assert not differences(found, [as_json(word(*given)) for word, given in more])
 
 
+OF_SUMS = {words.join: ((1.0, 1e-20),), words.negated: (), words.multiply_terms: (0.1,), words.compress: (4,),
+           words.distil: ()}  # fmt: skip
 OF_THE_TABLE = pytest.mark.parametrize("count", [OF_EACH, pytest.param(OF_MORE, marks=pytest.mark.long)])
 
 
@@ -218,30 +228,27 @@ def test_set_up_has_the_same_bits_but_for_elementary_functions(count):
         assert (np.abs(ours - theirs) <= times * APART * EPS * np.maximum(1.0, np.abs(ours))).all(), name
 
 
-def one_of(value, k):
-    """Return one of a record of arrays, with single numbers."""
-    if isinstance(value, tuple):
-        parts = [one_of(x, k) for x in value]
-        return type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
-    return np.asarray(value)[k].item()
-
-
 @needs_node
 @OF_THE_TABLE
-def test_turning_points_and_frequencies_of_a_top_have_the_same_bits(count):
-    given = [np.array(x) for x in zip(*(arguments for _, arguments in first_of_each("top", count)), strict=True)]
-    with np.errstate(all="ignore"):
-        _, tops, points, _ = prepare(*given)
-    calls, wanted = [], []
-    for k in range(len(given[0])):
-        top, its_points = one_of(tops, k), one_of(points, k)
+def test_reduction_turning_points_and_frequencies_of_a_top_have_the_same_bits(count):
+    given: list[Any] = [(moments, mgl, *more) for _, (moments, (mgl,), *more) in first_of_each("top", count)]
+    reduced = [top_reduction(*each) for each in given]
+    found = by_node([("lagrange_top_reduction.js", "reduction", each) for each in given])
+    assert not differences(found, [as_json(each) for each in reduced])
+    tops, points, rates = [], [], []
+    for top in reduced:
         try:
-            wanted.append(as_json(top_frequencies(top, its_points)))
+            its_points = turning_points(top)
+            rates.append(as_json(top_frequencies(top, its_points)))
         except ArithmeticError:  # at rest or on the separatrix, where Python divides by no zero
             continue
-        calls.append(("lagrange_top_rates.js", "frequencies", (top, its_points)))
-    assert len(calls) > 0.7 * len(given[0])
-    assert not differences(by_node(calls), wanted)
+        tops.append(top)
+        points.append(its_points)
+    assert len(tops) > 0.7 * len(given)
+    assert not differences(by_node([("lagrange_top_roots.js", "turningPoints", (x,)) for x in tops]),
+                           [as_json(each) for each in points])  # fmt: skip
+    calls = [("lagrange_top_rates.js", "frequencies", both) for both in zip(tops, points, strict=True)]
+    assert not differences(by_node(calls), rates)
 
 
 def states(kind, count, folder=FOLDER):

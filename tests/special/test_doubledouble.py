@@ -76,10 +76,10 @@ def test_square_root_squares_back():
 def test_sums_survive_cancellation(engine):
     rng = np.random.default_rng(6)
     terms = [rng.uniform(1.0, 2.0, 50) * 2.0**e for e in (0, -50, -110, -160)]
-    terms = [*terms, *(-t for t in terms[:3])]
+    terms = (*terms, *(-t for t in terms[:3]))
     if engine == "jax":
         with jax.enable_x64(True):
-            found = jax.jit(dd.distil)(list(map(jax.numpy.asarray, terms)))
+            found = jax.jit(dd.distil)(tuple(map(jax.numpy.asarray, terms)))
     else:
         found = dd.distil(terms)
     for k in range(50):

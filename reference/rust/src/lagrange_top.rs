@@ -9,18 +9,38 @@ use crate::words::*;
 type Pair = (f64, f64);
 type Three = (f64, f64, f64);
 type Four = (f64, f64, f64, f64);
-type ThreePairs = (Pair, Pair, Pair);
-type TwoPairs = (Pair, Pair);
-type NinePairs = (Pair, Pair, Pair, Pair, Pair, Pair, Pair, Pair, Pair);
 type Six = (f64, f64, f64, f64, f64, f64);
 type Ten = (f64, f64, f64, f64, f64, f64, f64, f64, f64, f64);
 type Seven = (f64, f64, f64, f64, f64, f64, f64);
+type ThreePairs = (Pair, Pair, Pair);
+type TwoPairs = (Pair, Pair);
+type NinePairs = (Pair, Pair, Pair, Pair, Pair, Pair, Pair, Pair, Pair);
 type TwoFours = (Four, Four);
 
-// binary exponent down to which a square has all its digits
-pub const SQUARABLE: f64 = -400.0;
+// binary exponents: of a displacement that is scaled up, and of what it becomes
+pub const TINY: f64 = -200.0;
+pub const LIFTED: f64 = -150.0;
 pub const ONE: Pair = (1.0, 0.0);
 pub const ZERO: Pair = (0.0, 0.0);
+/// A top with mgl ≥ 0 and without powers of two.
+#[derive(Clone, Copy)]
+pub struct Scaled {
+    /// I1, I3
+    pub moments: Pair,
+    pub momentum: Three,
+    pub quaternion: Four,
+    /// whether the axis was reversed
+    pub reversed: bool,
+    /// binary exponent of the displacement's scale, 0 for most tops
+    pub lift: f64,
+    /// binary, taken out of the momentum
+    pub exponent: f64,
+    /// powers of two taken out
+    pub momentum_scale: f64,
+    pub rate_scale: f64,
+    pub G: Pair,
+}
+
 /// A top with mgl ≥ 0, scaled by powers of two; pairs are double-double.
 ///
 /// u = cos θ, s = 1 − u, t = 1 + u, index 0 at the epoch; dots are derivatives by τ.
@@ -73,183 +93,187 @@ pub fn leaves(top: &Reduction) -> bool {
     top.lift > 0.0 && is_upright(top) && top.D.0 > 0.0
 }
 
-/// Distances between the roots, the poles u = ±1 and the start u0, each as a number of its own.
-#[derive(Clone, Copy)]
-pub struct TurningPoints {
-    /// u0 − u1
-    pub from_lower: Pair,
-    /// u2 − u0
-    pub from_upper: Pair,
-    /// u2 − u1
-    pub d: Pair,
-    /// 1 − u1
-    pub s1: Pair,
-    /// 1 − u2
-    pub s2: Pair,
-    /// 1 + u1
-    pub t1: Pair,
-    /// 1 + u2
-    pub t2: Pair,
-    /// G (u3 − u1)
-    pub A: Pair,
-    /// G (u3 − u2)
-    pub B: Pair,
-    /// G (u3 − u0)
-    pub Y: Pair,
-    /// G (u3 − 1)
-    pub Z_minus: Pair,
-    /// G (u3 + 1)
-    pub Z_plus: Pair,
+pub fn _largest(x: f64, y: f64) -> f64 {
+    larger(x.abs(), y.abs())
 }
 
-/// Return f1, and the cubics x³ + bx² + cx + d of Y = G (u3 − u0) and of s = 1 − u1; inverse is 1/G.
-pub fn cubics(
-    axial: f64,
-    g: Pair,
-    inverse: Pair,
-    s0: Pair,
-    t0: Pair,
-    u0: Pair,
-    w2: Pair,
-    twist: Pair,
-    p2: Pair,
-    c2: Pair,
-    d: Pair,
-    f: Pair,
-) -> (Pair, ThreePairs, ThreePairs) {
-    // with v = u − u0 and the |w|² of the start, u̇² = (1 − u²)(|w|² − G v) − (b − a u)² = p² + f1 v + f2 v² + G v³,
-    // and with s = 1 − u it is −(G s³ − D s² − 2F s + c²)
-    let f1 = both::subtract(
-        both::scale(both::multiply_float(twist, axial), 2.0),
-        both::multiply(g, both::multiply(s0, t0)),
-    );
-    let f1 = both::subtract(f1, both::scale(both::multiply(u0, w2), 2.0));
-    let f2 = both::subtract(both::subtract(both::scale(both::multiply(g, u0), 2.0), w2), both::two_square(axial));
-    let d = both::multiply(d, inverse);
-    let f = both::multiply(f, inverse);
-    (
-        f1,
-        (f2, both::multiply(g, f1), both::multiply(both::square(g), p2)),
-        ((-d.0, -d.1), both::scale(f, -2.0), both::multiply(c2, inverse)),
-    )
-}
-
-/// Return x / y, and zero for x = 0 whatever y.
-pub fn quotient(x: Pair, y: Pair) -> Pair {
-    let zero = x.0 == 0.0;
-    if zero { x } else { both::divide(x, if zero { ONE } else { y }) }
-}
-
-/// Return x + y = √((x − y)² + 4 x y), also where the square underflows.
-pub fn difference(total: Pair, product: Pair) -> Pair {
-    let exponent = binary_exponent(total.0);
-    let alone = product.0 == 0.0 || binary_exponent(product.0) < 2.0 * exponent;
-    let power = if total.0 != 0.0 && exponent < SQUARABLE && alone { -exponent } else { 0.0 };
-    let up = times_power(1.0, power);
-    let raised = both::scale(both::scale(product, up), up);
-    both::scale(
-        both::root_or_zero(both::add(both::square(both::scale(total, up)), both::scale(raised, 4.0))),
-        times_power(1.0, -power),
-    )
-}
-
-/// Return x ≥ 0 and y ≥ 0 from x − y, x + y and x y.
-pub fn _larger_and_smaller(total: Pair, sum_: Pair, product: Pair) -> TwoPairs {
-    let positive = total.0 >= 0.0;
-    let larger = both::scale(both::add(sum_, if positive { total } else { (-total.0, -total.1) }), 0.5);
-    let smaller = if larger.0 > 0.0 { quotient(product, larger) } else { ZERO };
-    (if positive { larger } else { smaller }, if positive { smaller } else { larger })
-}
-
-/// From Y = G (u3 − u0): with v = u − u0, v1 + v2 = (f1 + G p²/Y)/Y and v1 v2 = −p²/Y.
-pub fn _upper_root_apart(g: Pair, s0: Pair, p2: Pair, c2: Pair, f1: Pair, y: Pair) -> NinePairs {
-    let product = quotient(p2, y);
-    let total = quotient(both::add(f1, both::multiply(g, product)), y);
-    let gap = difference(total, product);
-    let (upper, lower) = _larger_and_smaller(total, gap, product);
-    let s1 = both::add(s0, lower);
-    let s2 = both::subtract(s0, upper);
-    let z = both::subtract(y, both::multiply(g, s0));
-    // s1 s2 Z = c²; of s2 and Z only the larger is an accurate difference
-    let take = z.0 >= both::multiply(g, s2).0;
-    let other = quotient(c2, both::multiply(s1, if take { z } else { s2 }));
-    let s2 = if take { other } else { s2 };
-    let z = if take { z } else { other };
-    (
-        lower,
-        upper,
-        gap,
-        s1,
-        s2,
-        both::add(y, both::multiply(g, lower)),
-        both::subtract(y, both::multiply(g, upper)),
-        y,
-        z,
-    )
-}
-
-/// From s1 = 1 − u1: s2 + s3 = (c²/s1 − 2F)/(G s1) and s2 s3 = −c²/(G s1).
-pub fn _lower_root_apart(g: Pair, s0: Pair, p2: Pair, c2: Pair, f: Pair, s1: Pair) -> NinePairs {
-    let gs = both::multiply(g, s1);
-    let product = quotient(c2, gs);
-    let total = both::divide(both::add(both::scale(f, -2.0), quotient(c2, s1)), gs);
-    let between = difference(total, product);
-    let (s2, minus_s3) = _larger_and_smaller(total, between, product);
-    let z = both::multiply(g, minus_s3);
-    let y = both::add(both::multiply(g, s0), z);
-    let upper = both::subtract(s0, s2);
-    let lower = both::subtract(s1, s0);
-    let take = upper.0 >= lower.0;
-    let other = quotient(quotient(p2, y), if take { upper } else { lower });
-    let upper = if take { upper } else { other };
-    let lower = if take { other } else { lower };
-    (
-        lower,
-        upper,
-        both::subtract(s1, s2),
-        s1,
-        s2,
-        both::multiply(g, both::add(s1, minus_s3)),
-        both::multiply(g, between),
-        y,
-        z,
-    )
-}
-
-/// Return the turning points from the separate root, Y or else s1; safe is G, where it is positive.
-pub fn turning_points_of(
-    is_upper: bool,
-    lone_root: Pair,
-    g: Pair,
-    safe: Pair,
-    s0: Pair,
-    t0: Pair,
-    p2: Pair,
-    c2: Pair,
-    c_plus: Pair,
-    f: Pair,
-    f1: Pair,
-) -> TurningPoints {
-    let x = _upper_root_apart(g, s0, p2, c2, f1, lone_root);
-    let y = _lower_root_apart(safe, s0, p2, c2, f, lone_root);
-    let upper = if is_upper { x.1 } else { y.1 };
-    let apart = if is_upper { x.7 } else { y.7 };
-    let t2 = both::add(t0, upper);
-    let z = both::add(apart, both::multiply(g, t0));
-    TurningPoints {
-        from_lower: if is_upper { x.0 } else { y.0 },
-        from_upper: upper,
-        d: if is_upper { x.2 } else { y.2 },
-        s1: if is_upper { x.3 } else { y.3 },
-        s2: if is_upper { x.4 } else { y.4 },
-        t1: quotient(both::square(c_plus), both::multiply(t2, z)),
-        t2,
-        A: if is_upper { x.5 } else { y.5 },
-        B: if is_upper { x.6 } else { y.6 },
-        Y: apart,
-        Z_minus: if is_upper { x.8 } else { y.8 },
-        Z_plus: z,
+/// Turn a top whose centre of mass lies below, and take out powers of two.
+pub fn scaled(moments: Three, mgl: f64, momentum: Three, attitude: Four) -> Scaled {
+    let turned = mgl < 0.0;
+    let side = if turned { -1.0 } else { 1.0 };
+    let weight = mgl.abs();
+    let (w, x, y, z) = attitude;
+    let (i1, _, i3) = moments;
+    let (l1, l2, l3) = momentum;
+    let largest = larger(_largest(l1, l2), l3.abs());
+    let of_moment = binary_exponent(i1);
+    let of_momentum = binary_exponent(largest);
+    // the larger of |L| and √(mgl I1), without forming a product that may overflow
+    let half = (0.5 * (of_moment + binary_exponent(weight) + 1.0)).floor();
+    let of_both = if largest > 0.0 { larger(of_momentum, half) } else { half };
+    let exponent = if weight > 0.0 { of_both } else { of_momentum };
+    let i1 = times_power(i1, -of_moment);
+    let weight = times_power(times_power(weight, of_moment - exponent), -exponent);
+    // a half turn about the first body axis: q → q i
+    Scaled {
+        moments: (i1, times_power(i3, -of_moment)),
+        momentum: (times_power(l1, -exponent), times_power(side * l2, -exponent), times_power(side * l3, -exponent)),
+        quaternion: (
+            if turned { -x } else { w },
+            if turned { w } else { x },
+            if turned { z } else { y },
+            if turned { -y } else { z },
+        ),
+        reversed: turned,
+        lift: 0.0 * weight,
+        exponent,
+        momentum_scale: times_power(1.0, exponent),
+        rate_scale: times_power(1.0, exponent - of_moment),
+        G: both::scale(both::two_product(weight, i1), 2.0),
     }
+}
+
+/// Scale a tiny displacement up; the momentum is the given one, which keeps digits that scaling down has lost.
+///
+/// Exactly at the threshold of sleeping, 2G = a², where it grows like t and not like e^t, it is dropped: nothing is to
+/// show within 1e27 radians, the longest time for which a motion is given.
+pub fn lifted(top: &Scaled, momentum: Three) -> Scaled {
+    let (w, x, y, z) = top.quaternion;
+    let (l1, l2, l3) = top.momentum;
+    let cosine = _largest(w, z);
+    let sine = _largest(x, y);
+    let below = cosine < sine;
+    let displacement = larger(smaller(cosine, sine), _largest(l1, l2));
+    let exponent = binary_exponent(displacement);
+    let double = both::scale(top.G, 2.0);
+    let square = both::two_product(l3, l3);
+    let threshold = double.0 == square.0 && double.1 == square.1 && !below;
+    let tiny = displacement > 0.0 && exponent < TINY && top.G.0 > 0.0;
+    let lift = if tiny && !threshold { LIFTED - exponent } else { 0.0 };
+    let kept = if tiny && threshold { 0.0 } else { 1.0 };
+    let above = if below { 0.0 } else { lift };
+    let under = if below { lift } else { 0.0 };
+    let side = if top.reversed { -1.0 } else { 1.0 };
+    let power = lift - top.exponent;
+    Scaled {
+        moments: top.moments,
+        momentum: (kept * times_power(momentum.0, power), kept * times_power(side * momentum.1, power), l3),
+        quaternion: (
+            times_power(w, under),
+            kept * times_power(x, above),
+            kept * times_power(y, above),
+            times_power(z, under),
+        ),
+        reversed: top.reversed,
+        lift,
+        exponent: top.exponent,
+        momentum_scale: top.momentum_scale,
+        rate_scale: top.rate_scale,
+        G: top.G,
+    }
+}
+
+/// Return the reduction of invariants times |q|²; s and t are half of them, and in_phase is −p/2.
+pub fn _over_size(
+    top: &Scaled,
+    size: Pair,
+    s: Pair,
+    t: Pair,
+    u: Pair,
+    in_phase: Pair,
+    c: Pair,
+    c_plus: Pair,
+    twist: Pair,
+    f: Pair,
+    d: Pair,
+    w2: Pair,
+    lean: Pair,
+) -> Reduction {
+    Reduction {
+        moments: top.moments,
+        momentum: top.momentum,
+        quaternion: top.quaternion,
+        reversed: top.reversed,
+        lift: top.lift,
+        momentum_scale: top.momentum_scale,
+        rate_scale: top.rate_scale,
+        size,
+        G: top.G,
+        s0: both::scale(both::divide(s, size), 2.0),
+        t0: both::scale(both::divide(t, size), 2.0),
+        u0: both::divide(u, size),
+        p: both::scale(both::divide(in_phase, size), -2.0),
+        c: both::divide(c, size),
+        c_plus: both::divide(c_plus, size),
+        twist: both::divide(twist, size),
+        F: both::divide(f, size),
+        D: both::divide(d, size),
+        w2,
+        lean: both::divide(lean, size),
+    }
+}
+
+/// Return ab + cd.
+pub fn _products(a: f64, b: f64, c: f64, d: f64) -> Sum {
+    join(as_sum(both::two_product(a, b)), as_sum(both::two_product(c, d)))
+}
+
+pub fn _times_pair(x: Sum, y: Pair) -> Sum {
+    join(multiply_terms(x, y.0), multiply_terms(x, y.1))
+}
+
+/// Return |q|²: as a pair it would leave F of a planar top only 32 digits of what cancels.
+pub fn size_of(top: &Scaled) -> Sum {
+    let (w, x, y, z) = top.quaternion;
+    compress(join(_products(x, x, y, y), _products(w, w, z, z)), 4)
+}
+
+/// Return the reduction of a top; its invariants are polynomials of the given floats over |q|², which is size.
+///
+/// The polynomials are summed exactly, since near the separatrix c, F and D vanish together and what is left of them
+/// decides how long the top lingers upright; double-double alone would leave nothing.
+pub fn exactly_reduced(top: &Scaled, size: Sum) -> Reduction {
+    let (l1, l2, l3) = top.momentum;
+    let (w, x, y, z) = top.quaternion;
+    let s = _products(x, x, y, y);
+    let t = _products(w, w, z, z);
+    // of β̄α
+    let real = _products(x, w, y, z);
+    let imaginary = _products(x, z, -y, w);
+    // of β̄αw
+    let in_phase = compress(join(multiply_terms(real, l1), multiply_terms(imaginary, -l2)), 4);
+    let twist = compress(join(multiply_terms(real, 2.0 * l2), multiply_terms(imaginary, 2.0 * l1)), 4);
+    let c = compress(join(twist, multiply_terms(s, -2.0 * l3)), 4);
+    let c_plus = compress(join(twist, multiply_terms(t, 2.0 * l3)), 4);
+    let kinetic = join(_times_pair(size, both::two_product(l1, l1)), _times_pair(size, both::two_product(l2, l2)));
+    let fall = as_sum(both::scale(top.G, -2.0));
+    let fall = join(_times_pair(fall, both::two_product(x, x)), _times_pair(fall, both::two_product(y, y)));
+    let energy = compress(join(kinetic, fall), 5);
+    let f = compress(join(energy, multiply_terms(c, -l3)), 5);
+    let rest = join(_times_pair(size, both::scale(top.G, 2.0)), _times_pair(size, both::two_product(l3, -l3)));
+    let d = compress(join(rest, negated(energy)), 5);
+    let lean = compress(join(multiply_terms(energy, l3), _times_pair(c, both::scale(top.G, -1.0))), 6);
+    _over_size(
+        top,
+        distil(size),
+        distil(s),
+        distil(t),
+        distil(join(t, negated(s))),
+        distil(in_phase),
+        distil(c),
+        distil(c_plus),
+        distil(twist),
+        distil(f),
+        distil(d),
+        distil(_products(l1, l1, l2, l2)),
+        distil(lean),
+    )
+}
+
+/// Return the reduction of a top, at any scale and however near the vertical.
+pub fn reduction(moments: Three, mgl: f64, momentum: Three, attitude: Four) -> Reduction {
+    let top = scaled(moments, mgl, momentum, attitude);
+    exactly_reduced(&lifted(&top, momentum), size_of(&top))
 }
 
 /// All that evaluation needs of a top: numbers, or arrays with one for each of many.
@@ -459,73 +483,286 @@ pub fn state_at(m: &Motion, time: f64, rest: f64) -> Seven {
     state_of(m, complementary_sums(m, a, b, c, e0, R))
 }
 
-// from the root in single numbers; three do, two more where that was poor
-pub const NEWTON_STEPS: i32 = 5;
+// binary exponent down to which a square has all its digits
+pub const SQUARABLE: f64 = -400.0;
 // of cos(⅓ acos x), 0 ≤ x ≤ 1, to 2e-4
 pub const BEGIN: f64 = 0.8660254;
 pub const SLOPE: f64 = 0.1642;
 pub const CURVE: f64 = -0.0302;
-/// Return the largest root of x³ + bx² + cx + d, whose roots are real, if cos 3φ is not negative; and cos 3φ.
-pub fn _largest_root(b: f64, c: f64, d: f64) -> Pair {
-    // Viète: x = 2r cos φ − b/3 with r = √(−P/3) and cos 3φ = −Q/2r³
+// steps of Newton's, of all and of any: two do, three more where the start was poor
+pub const AT_ONCE: i32 = 2;
+pub const MOST: i32 = 5;
+// of the last change over the root: what is left is smaller by a float64's precision
+pub const CONVERGED: f64 = 8.673617379884035e-19;
+/// Distances between the roots, the poles u = ±1 and the start u0, each as a number of its own.
+#[derive(Clone, Copy)]
+pub struct TurningPoints {
+    /// u0 − u1
+    pub from_lower: Pair,
+    /// u2 − u0
+    pub from_upper: Pair,
+    /// u2 − u1
+    pub d: Pair,
+    /// 1 − u1
+    pub s1: Pair,
+    /// 1 − u2
+    pub s2: Pair,
+    /// 1 + u1
+    pub t1: Pair,
+    /// 1 + u2
+    pub t2: Pair,
+    /// G (u3 − u1)
+    pub A: Pair,
+    /// G (u3 − u2)
+    pub B: Pair,
+    /// G (u3 − u0)
+    pub Y: Pair,
+    /// G (u3 − 1)
+    pub Z_minus: Pair,
+    /// G (u3 + 1)
+    pub Z_plus: Pair,
+}
+
+/// The cubic whose largest root stands apart from the others.
+#[derive(Clone, Copy)]
+pub struct Apart {
+    /// whether it is that of Y, and the root u3, or that of s, and the root u1
+    pub upper: bool,
+    pub cubic: ThreePairs,
+    /// near the root
+    pub start: f64,
+    pub f1: Pair,
+}
+
+/// Return f1, and the cubics x³ + bx² + cx + d of Y = G (u3 − u0) and of s = 1 − u1; inverse is 1/G.
+pub fn cubics(
+    axial: f64,
+    g: Pair,
+    inverse: Pair,
+    s0: Pair,
+    t0: Pair,
+    u0: Pair,
+    w2: Pair,
+    twist: Pair,
+    p2: Pair,
+    c2: Pair,
+    d: Pair,
+    f: Pair,
+) -> (Pair, ThreePairs, ThreePairs) {
+    // with v = u − u0 and the |w|² of the start, u̇² = (1 − u²)(|w|² − G v) − (b − a u)² = p² + f1 v + f2 v² + G v³,
+    // and with s = 1 − u it is −(G s³ − D s² − 2F s + c²)
+    let f1 = both::subtract(
+        both::scale(both::multiply_float(twist, axial), 2.0),
+        both::multiply(g, both::multiply(s0, t0)),
+    );
+    let f1 = both::subtract(f1, both::scale(both::multiply(u0, w2), 2.0));
+    let f2 = both::subtract(both::subtract(both::scale(both::multiply(g, u0), 2.0), w2), both::two_square(axial));
+    let d = both::multiply(d, inverse);
+    let f = both::multiply(f, inverse);
+    (
+        f1,
+        (f2, both::multiply(g, f1), both::multiply(both::square(g), p2)),
+        ((-d.0, -d.1), both::scale(f, -2.0), both::multiply(c2, inverse)),
+    )
+}
+
+/// Return b/3, r and cos 3φ of a cubic with real roots, of which 2r cos φ − b/3 is the largest.
+pub fn _by_angle(cubic: ThreePairs) -> Three {
+    // x = 2r cos φ − b/3 with r = √(−P/3) and cos 3φ = −Q/2r³
+    let b = cubic.0.0;
+    let c = cubic.1.0;
+    let d = cubic.2.0;
     let third = b / 3.0;
     let p = c - b * third;
     let q = 2.0 * (third * third) * third - third * c + d;
-    let r = larger(-p / 3.0, 0.0).sqrt();
-    let cosine = if r > 0.0 { -0.5 * q / (r * r * r) } else { 1.0 };
-    let x = smaller(larger(cosine, 0.0), 1.0);
-    // cos φ is a root of 4 y³ − 3 y = x
-    let y = BEGIN + x * (SLOPE + x * CURVE);
-    let y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
-    let y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
-    (2.0 * r * y - third, cosine)
+    let r = larger(-p / 3.0, 0.0 * p).sqrt();
+    (third, r, if r > 0.0 { -0.5 * q / (r * r * r) } else { 1.0 })
 }
 
-/// Return a root after a step of Newton's.
-pub fn _nearer(state: (Pair, ThreePairs)) -> (Pair, ThreePairs) {
-    let (x, cubic) = state;
-    let (b, c, d) = cubic;
-    let value = both::add(both::multiply(both::add(both::multiply(both::add(x, b), x), c), x), d);
-    let slope = both::add(both::multiply(both::add(both::add(both::scale(x, 2.0), x), both::scale(b, 2.0)), x), c);
-    let change = both::divide(value, slope);
-    let is_finite = change.0 - change.0 == 0.0;
-    (if is_finite { both::subtract(x, change) } else { x }, cubic)
-}
-
-/// Return the turning points of a top.
-pub fn turning_points(top: &Reduction) -> TurningPoints {
+/// Return the cubic whose largest root stands apart.
+pub fn apart(top: &Reduction) -> Apart {
     let weightless = !(top.G.0 > 0.0);
-    let safe = if weightless { ONE } else { top.G };
-    let p2 = both::square(top.p);
-    let c2 = both::square(top.c);
+    let one = ONE;
     let (f1, of_y, of_s) = cubics(
         top.momentum.2,
         top.G,
-        both::divide(ONE, safe),
+        both::divide(one, if weightless { one } else { top.G }),
         top.s0,
         top.t0,
         top.u0,
         top.w2,
         top.twist,
-        p2,
-        c2,
+        both::square(top.p),
+        both::square(top.c),
         top.D,
         top.F,
     );
-    let (y, cosine) = _largest_root(of_y.0.0, of_y.1.0, of_y.2.0);
-    let (s, _) = _largest_root(of_s.0.0, of_s.1.0, of_s.2.0);
+    let (third, r, cosine) = _by_angle(of_y);
+    let (other_third, other_r, other) = _by_angle(of_s);
     let upper = cosine >= 0.0 || weightless;
+    let x = if upper { cosine } else { other };
+    let x = smaller(larger(x, 0.0 * x), 1.0 + 0.0 * x);
+    // cos φ is a root of 4 y³ − 3 y = x
+    let y = BEGIN + x * (SLOPE + x * CURVE);
+    let y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
+    let y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0);
     let cubic = (
         if upper { of_y.0 } else { of_s.0 },
         if upper { of_y.1 } else { of_s.1 },
         if upper { of_y.2 } else { of_s.2 },
     );
-    let mut running = ((if upper { y } else { s }, 0.0), cubic);
-    for k in 0..NEWTON_STEPS {
-        running = _nearer(running);
+    Apart {
+        upper,
+        cubic,
+        start: 2.0 * (if upper { r } else { other_r }) * y - (if upper { third } else { other_third }),
+        f1,
     }
-    let (lone, _) = running;
-    turning_points_of(upper, lone, top.G, safe, top.s0, top.t0, p2, c2, top.c_plus, top.F, f1)
+}
+
+/// Return the root before the first step.
+pub fn begun(lone: &Apart) -> (Pair, f64, ThreePairs) {
+    ((lone.start, 0.0 * lone.start), lone.start, lone.cubic)
+}
+
+/// Return a root after a step of Newton's, whose slope need not be sharp.
+pub fn nearer(root: (Pair, f64, ThreePairs)) -> (Pair, f64, ThreePairs) {
+    let (x, _, cubic) = root;
+    let (b, c, d) = cubic;
+    let value = both::add(both::multiply(both::add(both::multiply(both::add(x, b), x), c), x), d);
+    let change = -value.0 / ((3.0 * x.0 + 2.0 * b.0) * x.0 + c.0);
+    let change = if change - change == 0.0 { change } else { 0.0 };
+    (both::add(x, (change, 0.0 * change)), change, cubic)
+}
+
+/// Return whether the last change leaves nothing to be changed.
+pub fn is_found(root: (Pair, f64, ThreePairs)) -> bool {
+    let (x, change, _) = root;
+    x.0 > 0.0 && change.abs() <= CONVERGED * x.0
+}
+
+/// Return x / y, and zero for x = 0 whatever y.
+pub fn quotient(x: Pair, y: Pair) -> Pair {
+    let zero = x.0 == 0.0;
+    if zero { x } else { both::divide(x, if zero { ONE } else { y }) }
+}
+
+/// Return x + y = √((x − y)² + 4 x y), also where the square underflows.
+pub fn difference(total: Pair, product: Pair) -> Pair {
+    let exponent = binary_exponent(total.0);
+    let alone = product.0 == 0.0 || binary_exponent(product.0) < 2.0 * exponent;
+    let power = if total.0 != 0.0 && exponent < SQUARABLE && alone { -exponent } else { 0.0 };
+    let up = times_power(1.0, power);
+    let raised = both::scale(both::scale(product, up), up);
+    both::scale(
+        both::root_or_zero(both::add(both::square(both::scale(total, up)), both::scale(raised, 4.0))),
+        times_power(1.0, -power),
+    )
+}
+
+/// Return x ≥ 0 and y ≥ 0 from x − y, x + y and x y.
+pub fn _larger_and_smaller(total: Pair, sum_: Pair, product: Pair) -> TwoPairs {
+    let positive = total.0 >= 0.0;
+    let most = both::scale(both::add(sum_, if positive { total } else { (-total.0, -total.1) }), 0.5);
+    let least = if most.0 > 0.0 { quotient(product, most) } else { ZERO };
+    (if positive { most } else { least }, if positive { least } else { most })
+}
+
+/// From Y = G (u3 − u0): with v = u − u0, v1 + v2 = (f1 + G p²/Y)/Y and v1 v2 = −p²/Y.
+pub fn _upper_root_apart(g: Pair, s0: Pair, p2: Pair, c2: Pair, f1: Pair, y: Pair) -> NinePairs {
+    let product = quotient(p2, y);
+    let total = quotient(both::add(f1, both::multiply(g, product)), y);
+    let gap = difference(total, product);
+    let (upper, lower) = _larger_and_smaller(total, gap, product);
+    let s1 = both::add(s0, lower);
+    let s2 = both::subtract(s0, upper);
+    let z = both::subtract(y, both::multiply(g, s0));
+    // s1 s2 Z = c²; of s2 and Z only the larger is an accurate difference
+    let take = z.0 >= both::multiply(g, s2).0;
+    let other = quotient(c2, both::multiply(s1, if take { z } else { s2 }));
+    let s2 = if take { other } else { s2 };
+    let z = if take { z } else { other };
+    (
+        lower,
+        upper,
+        gap,
+        s1,
+        s2,
+        both::add(y, both::multiply(g, lower)),
+        both::subtract(y, both::multiply(g, upper)),
+        y,
+        z,
+    )
+}
+
+/// From s1 = 1 − u1: s2 + s3 = (c²/s1 − 2F)/(G s1) and s2 s3 = −c²/(G s1).
+pub fn _lower_root_apart(g: Pair, s0: Pair, p2: Pair, c2: Pair, f: Pair, s1: Pair) -> NinePairs {
+    let gs = both::multiply(g, s1);
+    let product = quotient(c2, gs);
+    let total = both::divide(both::add(both::scale(f, -2.0), quotient(c2, s1)), gs);
+    let between = difference(total, product);
+    let (s2, minus_s3) = _larger_and_smaller(total, between, product);
+    let z = both::multiply(g, minus_s3);
+    let y = both::add(both::multiply(g, s0), z);
+    let upper = both::subtract(s0, s2);
+    let lower = both::subtract(s1, s0);
+    let take = upper.0 >= lower.0;
+    let other = quotient(quotient(p2, y), if take { upper } else { lower });
+    let upper = if take { upper } else { other };
+    let lower = if take { other } else { lower };
+    (
+        lower,
+        upper,
+        both::subtract(s1, s2),
+        s1,
+        s2,
+        both::multiply(g, both::add(s1, minus_s3)),
+        both::multiply(g, between),
+        y,
+        z,
+    )
+}
+
+/// Return the turning points from the separate root, Y or else s1.
+pub fn turning_points_of(top: &Reduction, is_upper: bool, lone: Pair, f1: Pair) -> TurningPoints {
+    let g = top.G;
+    let s0 = top.s0;
+    let t0 = top.t0;
+    let p2 = both::square(top.p);
+    let c2 = both::square(top.c);
+    let x = _upper_root_apart(g, s0, p2, c2, f1, lone);
+    let y = _lower_root_apart(if g.0 > 0.0 { g } else { ONE }, s0, p2, c2, top.F, lone);
+    let upper = if is_upper { x.1 } else { y.1 };
+    let above = if is_upper { x.7 } else { y.7 };
+    let t2 = both::add(t0, upper);
+    let z = both::add(above, both::multiply(g, t0));
+    TurningPoints {
+        from_lower: if is_upper { x.0 } else { y.0 },
+        from_upper: upper,
+        d: if is_upper { x.2 } else { y.2 },
+        s1: if is_upper { x.3 } else { y.3 },
+        s2: if is_upper { x.4 } else { y.4 },
+        t1: quotient(both::square(top.c_plus), both::multiply(t2, z)),
+        t2,
+        A: if is_upper { x.5 } else { y.5 },
+        B: if is_upper { x.6 } else { y.6 },
+        Y: above,
+        Z_minus: if is_upper { x.8 } else { y.8 },
+        Z_plus: z,
+    }
+}
+
+/// Return the turning points of a top.
+pub fn turning_points(top: &Reduction) -> TurningPoints {
+    let lone = apart(top);
+    let mut running = begun(&lone);
+    for k in 0..MOST {
+        if k >= AT_ONCE && is_found(running) {
+            break;
+        }
+        running = nearer(running);
+    }
+    let (root, _, _) = running;
+    turning_points_of(top, lone.upper, root, lone.f1)
 }
 
 /// Rates by τ = t/I1 in scaled units; all but the signs and flags are double-double.

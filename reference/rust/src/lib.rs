@@ -22,7 +22,6 @@ mod both;
 mod free_body;
 #[rustfmt::skip]
 mod lagrange_top;
-mod reduction;
 mod words;
 
 pub const VERSION: &str = "0.2.0";
@@ -300,7 +299,7 @@ impl LagrangeTop {
         if !mgl.is_finite() {
             return Err(Error::Mgl);
         }
-        let top = reduction::reduced(moments, mgl, momentum, attitude);
+        let top = lagrange_top::reduction(moments.into(), mgl, momentum.into(), attitude.into());
         let points = lagrange_top::turning_points(&top);
         let rates = lagrange_top::frequencies(&top, &points);
         let integrals = lagrange_top::integrals_of(&top, &points, &rates);

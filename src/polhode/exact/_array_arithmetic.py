@@ -107,6 +107,8 @@ FOR_ARRAYS: dict[str, Any] = {
     "square_root": _of("sqrt"), "exponential": _of("exp"), "floor": _of("floor"), "arctangent": _of("atan"),
     "angle_of": _of("atan2"), "logarithm": _of("log"), "hyperbolic_sine": _of("sinh"), "area_of_sine": _of("asinh"),
     "smaller": _smaller, "negation": lambda condition: ~condition,
+    "as_sum": tuple, "join": lambda x, y: (*x, *y), "negated": lambda x: tuple(-term for term in x),
+    "multiply_terms": dd.multiply_terms, "compress": dd.compress, "distil": dd.distil,
     "binary_exponent": _binary_exponent, "times_power": _times_power,
     "choose": _choose, "iterate": _iterate, "iterate_until": _iterate_until,
 }  # fmt: skip

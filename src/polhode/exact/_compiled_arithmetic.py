@@ -8,14 +8,14 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
-from llvmlite.ir import Constant, DoubleType
-from numba.core.cgutils import unpack_tuple
+from llvmlite.ir import Constant, DoubleType, IntType
+from numba.core.cgutils import alloca_once, for_range, unpack_tuple
 from numba.core.types import BaseTuple, Boolean, UniTuple, boolean, float64, int64, none
 from numba.extending import intrinsic
 from numba.np.arrayobj import make_array
 
 from polhode._base.compiled.compiling import compile_part
-from polhode.exact._kernel_arithmetic import BLOCK, ROUNDING
+from polhode.exact._kernel_arithmetic import BLOCK, ROUNDING, SWEEPS
 from polhode.exact._kernel_records import leaves
 
 TUPLES: Any = BaseTuple  # whose types do not know that it has parts
@@ -114,6 +114,75 @@ def _places(context: Any, builder: Any, rows: Any, values: Any, count: int) -> l
     return [builder.gep(data, [step], inbounds=True) for step in steps]
 
 
+@_instruction
+def _negated(context: Any, x: Any) -> Any:
+    write = lambda context, builder, signature, values: context.make_tuple(  # noqa: E731
+        builder, signature.return_type, [builder.fneg(term) for term in unpack_tuple(builder, values[0])]
+    )
+    return x(x), write
+
+
+@_instruction
+def _multiply_terms(context: Any, x: Any, factor: Any) -> Any:
+    def write(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+        terms = []
+        for term in unpack_tuple(builder, values[0]):
+            product = builder.fmul(term, values[1])
+            terms += [product, builder.fma(term, values[1], builder.fneg(product))]
+        return context.make_tuple(builder, signature.return_type, terms)
+
+    return UniTuple(float64, 2 * len(x))(x, factor), write
+
+
+@intrinsic(prefer_literal=True)
+def _compress(context: Any, x: Any, count: Any) -> Any:
+    most = min(count.literal_value, len(x))
+
+    def write(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+        terms = unpack_tuple(builder, values[0])
+        if most < len(terms):
+            terms = _swept(builder, terms, most + 1)[-most:]
+        return context.make_tuple(builder, signature.return_type, terms)
+
+    return UniTuple(float64, most)(x, count), write
+
+
+@_instruction
+def _distil(context: Any, x: Any) -> Any:
+    def write(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+        rest, *errors, last = _swept(builder, unpack_tuple(builder, values[0]), SWEEPS)
+        for error in errors:
+            rest = builder.fadd(rest, error)
+        return context.make_tuple(builder, signature.return_type, _two_sum(builder, last, rest))
+
+    return UniTuple(float64, 2)(x), write
+
+
+def _swept(builder: Any, terms: list[Any], times: int) -> list[Any]:
+    """Sweep a sum as ``kernel_arithmetic._swept``, in a loop: written out, it would be thousands of instructions."""
+    number, count = terms[0].type, Constant(IntType(64), len(terms) - 1)
+    room = alloca_once(builder, number, size=len(terms))
+    for k, term in enumerate(terms):
+        builder.store(term, builder.gep(room, [Constant(IntType(64), k)]))
+    first = builder.gep(room, [Constant(IntType(64), 0)])
+    running = alloca_once(builder, number)
+    with for_range(builder, Constant(IntType(64), times)):
+        builder.store(builder.load(first), running)
+        with for_range(builder, count) as loop:
+            place = builder.gep(room, [builder.add(loop.index, Constant(IntType(64), 1))])
+            total, error = _two_sum(builder, builder.load(running), builder.load(place))
+            builder.store(error, builder.gep(room, [loop.index]))
+            builder.store(total, running)
+        builder.store(builder.load(running), builder.gep(room, [count]))
+    return [builder.load(builder.gep(room, [Constant(IntType(64), k)])) for k in range(len(terms))]
+
+
+def _two_sum(builder: Any, a: Any, b: Any) -> tuple[Any, Any]:
+    s = builder.fadd(a, b)
+    t = builder.fsub(s, a)
+    return s, builder.fadd(builder.fsub(a, builder.fsub(s, t)), builder.fsub(b, t))
+
+
 def _binary_exponent(x: Any) -> Any:
     # the exponent's bits become the last of 2⁵² + e, without instructions that not all processors have for vectors
     return _of_bits(((_bits_of(x) >> 52) & 2047) | LAST_PLACES) - (2.0**52 + 1022.0)
@@ -127,6 +196,8 @@ two_product = compile_part(inspect.unwrap(_two_product))
 LAST_PLACES = 0x433 << 52  # bits of 2⁵², in which a unit is the last place
 FOR_NUMBA: dict[str, Any] = {
     "two_product": two_product, "bits_of": _bits_of, "of_bits": _of_bits,
+    "as_sum": compile_part(lambda x: x), "join": compile_part(lambda x, y: x + y), "negated": _negated,
+    "multiply_terms": _multiply_terms, "compress": _compress, "distil": _distil,
     "record": _record, "put_record": _put_record, "load": _load,
     "binary_exponent": compile_part(inspect.unwrap(_binary_exponent)),
     "times_power": compile_part(inspect.unwrap(_times_power)),

@@ -5,7 +5,8 @@ or JAX, with ``array_arithmetic``; other languages are printed from them. So the
 is that of all files named ``_formulas``:
 
 * A value is a double, whether something holds, or a tuple of values. Records are classes of ``NamedTuple`` with
-  annotated fields, made by place and never changed; double-double numbers are pairs (high, low).
+  annotated fields, made by place and never changed; double-double numbers are pairs (high, low). Only words look into
+  a ``Sum``, whose terms are never added up.
 * A function consists of assignments to names, also by taking a tuple apart, and of one ``return``. A name may be
   assigned again, to a value of the same kind.
 * Expressions are names, numbers, constants of modules and of ``math``, ``+ - * /``, unary ``-``, ``abs``, comparisons

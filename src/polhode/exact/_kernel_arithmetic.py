@@ -18,6 +18,7 @@ import numpy as np
 BLOCK = 256  # states, bodies or tops at a time: what is kept of them stays in the first two levels of cache
 ROUNDING = 6755399441055744.0  # 1.5 · 2⁵²: added and taken away again, it leaves the nearest whole number
 SPLITTING = 134217729.0  # 2²⁷ + 1
+SWEEPS = 5  # of an exact sum, after which its last term and the others have all its digits
 _S = [(-1) ** n * (2.0 * np.pi) ** (2 * n + 1) / float(np.prod(np.arange(1.0, 2 * n + 2))) for n in range(9)]
 _C = [(-1) ** n * (2.0 * np.pi) ** (2 * n) / float(np.prod(np.arange(1.0, 2 * n + 1))) for n in range(10)]
 # of the power series of sin 2πx and cos 2πx
@@ -29,6 +30,7 @@ if TYPE_CHECKING:  # in copies for arrays they are arrays
 else:
     Number, Truth = float, bool
 Pair = tuple[Number, Number]
+Sum = tuple[Number, ...]  # of floats, never added up: exact, with as many terms as it needs [Shewchuk 1997]
 Rate = tuple[Number, Number, Number]  # in halves, and what they leave of it
 Time = tuple[Number, Number, Number]  # likewise: the halves of a double, and what is left where t − epoch is none
 
@@ -272,6 +274,54 @@ def root_or_zero(x: Pair) -> Pair:
     """Return √x, zero for x = 0."""
     zero = x[0] == 0.0
     return choice(zero, (0.0, 0.0), root(choice(zero, (1.0, 0.0), x)))
+
+
+# ---------------------------------------------------------------------- exact sums
+
+
+def as_sum(x: Pair) -> Sum:
+    """Return a pair as a sum of two terms."""
+    return x
+
+
+def join(x: Sum, y: Sum) -> Sum:
+    """Return x + y, with the terms of both."""
+    return x + y
+
+
+def negated(x: Sum) -> Sum:
+    """Return −x."""
+    return tuple(-term for term in x)
+
+
+def multiply_terms(x: Sum, factor: float) -> Sum:
+    """Return the exact product with a float, with twice as many terms."""
+    return tuple(part for term in x for part in two_product(term, factor))
+
+
+def compress(x: Sum, count: int) -> Sum:
+    """Return ``doubledouble.compress``: a sum of so many terms at most, correct to 2^(−53 count) of its size."""
+    return _swept(x, count + 1)[-count:] if len(x) > count else x
+
+
+def distil(x: Sum) -> Pair:
+    """Return ``doubledouble.distil``: the sum to double-double accuracy, whatever cancels, up to 2^−265."""
+    *errors, last = _swept(x, SWEEPS)
+    rest = errors[0]
+    for error in errors[1:]:
+        rest += error
+    return two_sum(last, rest)
+
+
+def _swept(x: Sum, times: int) -> Sum:
+    """Return terms of equal sum, of which the last ones have the leading parts [Ogita, Rump & Oishi 2005]."""
+    terms = list(x)
+    for _ in range(times):
+        running = terms[0]
+        for k in range(1, len(terms)):
+            running, terms[k - 1] = two_sum(running, terms[k])
+        terms[-1] = running
+    return tuple(terms)
 
 
 # ---------------------------------------------------------------------- stores

@@ -9,8 +9,6 @@ Source: Dekker, Numer. Math. 18 (1971) 224; Hida, Li & Bailey, ARITH-15 (2001).
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 
 from polhode._base.arrays import is_jax, iterate, namespace, split_halves
@@ -23,6 +21,7 @@ Operand = Float64[ArrayOrFloat, "*#shape"]
 Result = Float64[ArrayOrFloat, "*shape"]
 Pair = tuple[Operand, ...]  # high and low; a slice of a value that a loop carries has no static length
 Pairs = tuple[Result, Result]
+Sum = tuple[Operand, ...]  # of floats, never added up
 
 PI: DoubleDouble = (np.pi, 1.2246467991473532e-16)
 INVERSE_TWO_PI: DoubleDouble = (0.15915494309189535, -9.839338337591243e-18)
@@ -177,39 +176,33 @@ def where(condition: Bool[Array, "*#shape"], x: Pair, y: Pair) -> Pairs:
     return xp.where(condition, x[0], y[0]), xp.where(condition, x[1], y[1])
 
 
-def expansion_product(terms: Iterable[Operand], factor: Operand) -> list[Result]:
+def multiply_terms(x: Sum, factor: Operand) -> Sum:
     """Return the exact product of a sum of floats and a float as a sum with twice as many terms [Shewchuk 1997]."""
-    return [part for term in terms for part in two_product(term, factor)]
+    return tuple(part for term in x for part in two_product(term, factor))
 
 
-def distil(terms: list[Operand], passes: int = 5) -> Pairs:
+def distil(x: Sum, passes: int = 5) -> Pairs:
     """Return the sum of the terms to double-double accuracy, even if they cancel to 2^(−53 passes) of their size.
 
     Source: Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, Algorithm 4.8 (SumK).
     """
-    x = iterate(passes, _sweep, tuple(terms), like=next((t for t in terms if is_jax(t)), terms[0]))
     # after the sweeps the last term holds the sum to double precision, and the others its error
-    rest = x[0]
-    for term in x[1:-1]:
-        rest = rest + term
-    return two_sum(x[-1], rest)
+    rest, *errors, last = _swept(x, passes)
+    for error in errors:
+        rest = rest + error
+    return two_sum(last, rest)
 
 
-def compress(terms: list[Operand], count: int = 4) -> list[Result]:
-    """Return the sum of the terms as an expansion of ``count`` floats, largest last, correct to eps^count of its size.
+def compress(x: Sum, count: int = 4) -> Sum:
+    """Return the sum of the terms as one of ``count`` floats, largest last, correct to eps^count of its size.
 
     Exact zero stays exact zero. Each sweep moves the sum's leading part to the end, as in ``distil``.
     """
-    if len(terms) <= count:
-        return terms
-    x = iterate(count + 1, _sweep, tuple(terms), like=next((t for t in terms if is_jax(t)), terms[0]))
-    return list(x[-count:])
+    return _swept(x, count + 1)[-count:] if len(x) > count else x
 
 
-def expansion_times_expansion(x: Iterable[Operand], y: Iterable[Operand]) -> list[Result]:
-    """Return the exact product of two sums of floats as a sum of floats."""
-    y = list(y)
-    return [part for factor in y for part in expansion_product(x, factor)]
+def _swept(x: Sum, times: int) -> Sum:
+    return iterate(times, _sweep, tuple(x), like=next((term for term in x if is_jax(term)), x[0]))
 
 
 def _sweep(x: tuple[Array, ...]) -> tuple[Array, ...]:

@@ -27,7 +27,8 @@ from polhode.exact._kernel_arithmetic import (
     where,
 )
 from polhode.exact.lagrange_top._formulas_rates import Frequencies
-from polhode.exact.lagrange_top._formulas_roots import ONE, ZERO, Reduction, Three, TurningPoints
+from polhode.exact.lagrange_top._formulas_reduction import ONE, ZERO, Reduction, Three
+from polhode.exact.lagrange_top._formulas_roots import TurningPoints
 
 MOST_STEPS = 40
 CLOSE, CLOSER = 1e-2, 2e-3  # of the spread, whose eighth power is what the closing formula leaves

@@ -18,7 +18,8 @@ from polhode.exact._kernel_arithmetic import (
     where,
 )
 from polhode.exact.lagrange_top._formulas_rates import Frequencies
-from polhode.exact.lagrange_top._formulas_roots import Reduction, TurningPoints
+from polhode.exact.lagrange_top._formulas_reduction import Reduction
+from polhode.exact.lagrange_top._formulas_roots import TurningPoints
 from polhode.special._doubledouble import PI
 
 

@@ -28,7 +28,8 @@ from polhode.exact._kernel_arithmetic import (
     two_sum,
     where,
 )
-from polhode.exact.lagrange_top._formulas_roots import ONE, ZERO, Reduction, TurningPoints, leaves
+from polhode.exact.lagrange_top._formulas_reduction import ONE, ZERO, Reduction, leaves
+from polhode.exact.lagrange_top._formulas_roots import TurningPoints
 from polhode.special._doubledouble import INVERSE_TWO_PI, LN2, PI
 
 

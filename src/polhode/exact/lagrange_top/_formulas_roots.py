@@ -1,8 +1,8 @@
-"""The invariants of a top, and its turning points: the roots u1 ≤ u2 ≤ 1 ≤ u3 of u̇² = (α − βu)(1 − u²) − (b − au)².
+"""The turning points of a top: the roots u1 ≤ u2 ≤ 1 ≤ u3 of u̇² = (α − βu)(1 − u²) − (b − au)².
 
-The invariants are those of ``reduction``; pairs are double-double. One of the roots is well separated from the other
-two, which follow from sums and products of roots without cancellation, whatever coincides. Source: Whittaker,
-*Analytical Dynamics*, §71–73, for the cubic.
+One of the roots is well separated from the other two. It is computed by Newton's method in double-double, in a variable
+in which it is large; the others follow from sums and products of roots without cancellation, whatever coincides.
+Sources: Whittaker, *Analytical Dynamics*, §71–73, for the cubic; Viète for the start.
 """
 
 from __future__ import annotations
@@ -16,61 +16,31 @@ from polhode.exact._kernel_arithmetic import (
     add,
     binary_exponent,
     choice,
+    constant,
     divide,
+    iterate_until,
+    larger,
     multiply,
     multiply_float,
+    negation,
     root_or_zero,
     scale,
+    smaller,
     square,
+    square_root,
     subtract,
     times_power,
     two_square,
     where,
 )
-from polhode.exact.lagrange_top._formulas import Four
+from polhode.exact.lagrange_top._formulas_reduction import ONE, ZERO, Reduction, Three
 
 SQUARABLE = -400.0  # binary exponent down to which a square has all its digits
-ONE, ZERO = (1.0, 0.0), (0.0, 0.0)
-Three = tuple[Number, Number, Number]
+BEGIN, SLOPE, CURVE = 0.8660254, 0.1642, -0.0302  # of cos(⅓ acos x), 0 ≤ x ≤ 1, to 2e-4
+AT_ONCE, MOST = 2, 5  # steps of Newton's, of all and of any: two do, three more where the start was poor
+CONVERGED = 2.0**-60  # of the last change over the root: what is left is smaller by a float64's precision
 Cubic = tuple[Pair, Pair, Pair]
-
-
-class Reduction(NamedTuple):
-    """A top with mgl ≥ 0, scaled by powers of two; pairs are double-double.
-
-    u = cos θ, s = 1 − u, t = 1 + u, index 0 at the epoch; dots are derivatives by τ.
-    """
-
-    moments: tuple[Number, Number]  # I1, I3
-    momentum: Three  # with the displacement scaled up by 2^lift
-    quaternion: Four  # not normalised; likewise
-    reversed: Truth  # whether the axis was reversed
-    lift: Number  # binary exponent of the displacement's scale, 0 for most tops
-    momentum_scale: Number  # powers of two taken out
-    rate_scale: Number
-    size: Pair  # |q|² as given
-    G: Pair
-    s0: Pair
-    t0: Pair
-    u0: Pair
-    p: Pair  # u̇ at the epoch
-    c: Pair  # p_φ − L3
-    c_plus: Pair  # p_φ + L3
-    twist: Pair  # p_φ − u L3 at the epoch
-    F: Pair  # |w|² − G s − a c
-    D: Pair  # 2G − a² − |w|² + G s
-    w2: Pair  # |w|² at the epoch
-    lean: Pair  # a (|w|² − G s) − G c: its sign against a's tells loops from waves
-
-
-def is_upright(top: Reduction) -> bool:
-    """Return whether the axis points up rather than down at the epoch."""
-    return top.s0[0] < top.t0[0]
-
-
-def leaves(top: Reduction) -> bool:
-    """Return whether the displacement was scaled up and grows."""
-    return (top.lift > 0.0) & is_upright(top) & (top.D[0] > 0.0)
+Root = tuple[Pair, Number, Cubic]  # with the last change, and of which cubic
 
 
 class TurningPoints(NamedTuple):
@@ -90,7 +60,16 @@ class TurningPoints(NamedTuple):
     Z_plus: Pair  # G (u3 + 1)
 
 
-# ---------------------------------------------------------------------- turning points
+class Apart(NamedTuple):
+    """The cubic whose largest root stands apart from the others."""
+
+    upper: Truth  # whether it is that of Y, and the root u3, or that of s, and the root u1
+    cubic: Cubic
+    start: Number  # near the root
+    f1: Pair
+
+
+# ---------------------------------------------------------------------- the separate root
 
 
 def cubics(
@@ -105,6 +84,60 @@ def cubics(
     f2 = subtract(subtract(scale(multiply(g, u0), 2.0), w2), two_square(axial))
     d, f = multiply(d, inverse), multiply(f, inverse)
     return f1, (f2, multiply(g, f1), multiply(square(g), p2)), ((-d[0], -d[1]), scale(f, -2.0), multiply(c2, inverse))
+
+
+def _by_angle(cubic: Cubic) -> Three:
+    """Return b/3, r and cos 3φ of a cubic with real roots, of which 2r cos φ − b/3 is the largest."""
+    # x = 2r cos φ − b/3 with r = √(−P/3) and cos 3φ = −Q/2r³
+    b, c, d = cubic[0][0], cubic[1][0], cubic[2][0]
+    third = b / 3.0
+    p, q = c - b * third, 2.0 * (third * third) * third - third * c + d
+    r = square_root(larger(-p / 3.0, 0.0 * p))
+    return third, r, where(r > 0.0, -0.5 * q / (r * r * r), 1.0)
+
+
+def apart(top: Reduction) -> Apart:
+    """Return the cubic whose largest root stands apart."""
+    weightless, one = negation(top.G[0] > 0.0), constant(ONE, top.G[0])
+    f1, of_y, of_s = cubics(
+        top.momentum[2], top.G, divide(one, choice(weightless, one, top.G)), top.s0, top.t0, top.u0, top.w2, top.twist,
+        square(top.p), square(top.c), top.D, top.F,
+    )  # fmt: skip
+    third, r, cosine = _by_angle(of_y)
+    other_third, other_r, other = _by_angle(of_s)
+    upper = (cosine >= 0.0) | weightless
+    x = where(upper, cosine, other)
+    x = smaller(larger(x, 0.0 * x), 1.0 + 0.0 * x)
+    # cos φ is a root of 4 y³ − 3 y = x
+    y = BEGIN + x * (SLOPE + x * CURVE)
+    y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0)
+    y = (8.0 * y * y * y + x) / (12.0 * y * y - 3.0)
+    cubic = choice(upper, of_y[0], of_s[0]), choice(upper, of_y[1], of_s[1]), choice(upper, of_y[2], of_s[2])
+    return Apart(upper, cubic, 2.0 * where(upper, r, other_r) * y - where(upper, third, other_third), f1)
+
+
+def begun(lone: Apart) -> Root:
+    """Return the root before the first step."""
+    return (lone.start, 0.0 * lone.start), lone.start, lone.cubic
+
+
+def nearer(root: Root) -> Root:
+    """Return a root after a step of Newton's, whose slope need not be sharp."""
+    x, _, cubic = root
+    b, c, d = cubic
+    value = add(multiply(add(multiply(add(x, b), x), c), x), d)
+    change = -value[0] / ((3.0 * x[0] + 2.0 * b[0]) * x[0] + c[0])
+    change = where(change - change == 0.0, change, 0.0)
+    return add(x, (change, 0.0 * change)), change, cubic
+
+
+def is_found(root: Root) -> bool:
+    """Return whether the last change leaves nothing to be changed."""
+    x, change, _ = root
+    return (x[0] > 0.0) & (abs(change) <= CONVERGED * x[0])
+
+
+# ---------------------------------------------------------------------- turning points
 
 
 def quotient(x: Pair, y: Pair) -> Pair:
@@ -126,9 +159,9 @@ def difference(total: Pair, product: Pair) -> Pair:
 def _larger_and_smaller(total: Pair, sum_: Pair, product: Pair) -> tuple[Pair, Pair]:
     """Return x ≥ 0 and y ≥ 0 from x − y, x + y and x y."""
     positive = total[0] >= 0.0
-    larger = scale(add(sum_, choice(positive, total, (-total[0], -total[1]))), 0.5)
-    smaller = choice(larger[0] > 0.0, quotient(product, larger), ZERO)
-    return choice(positive, larger, smaller), choice(positive, smaller, larger)
+    most = scale(add(sum_, choice(positive, total, (-total[0], -total[1]))), 0.5)
+    least = choice(most[0] > 0.0, quotient(product, most), ZERO)
+    return choice(positive, most, least), choice(positive, least, most)
 
 
 def _upper_root_apart(g: Pair, s0: Pair, p2: Pair, c2: Pair, f1: Pair, y: Pair) -> tuple[Pair, ...]:
@@ -161,17 +194,22 @@ def _lower_root_apart(g: Pair, s0: Pair, p2: Pair, c2: Pair, f: Pair, s1: Pair) 
     return lower, upper, subtract(s1, s2), s1, s2, multiply(g, add(s1, minus_s3)), multiply(g, between), y, z
 
 
-def turning_points_of(
-    is_upper: bool, lone_root: Pair, g: Pair, safe: Pair, s0: Pair, t0: Pair, p2: Pair, c2: Pair, c_plus: Pair, f: Pair,
-    f1: Pair,
-) -> TurningPoints:
-    """Return the turning points from the separate root, Y or else s1; ``safe`` is G, where it is positive."""
-    x = _upper_root_apart(g, s0, p2, c2, f1, lone_root)
-    y = _lower_root_apart(safe, s0, p2, c2, f, lone_root)
-    upper, apart = choice(is_upper, x[1], y[1]), choice(is_upper, x[7], y[7])
-    t2, z = add(t0, upper), add(apart, multiply(g, t0))
+def turning_points_of(top: Reduction, is_upper: bool, lone: Pair, f1: Pair) -> TurningPoints:
+    """Return the turning points from the separate root, Y or else s1."""
+    g, s0, t0, p2, c2 = top.G, top.s0, top.t0, square(top.p), square(top.c)
+    x = _upper_root_apart(g, s0, p2, c2, f1, lone)
+    y = _lower_root_apart(choice(g[0] > 0.0, g, constant(ONE, g[0])), s0, p2, c2, top.F, lone)
+    upper, above = choice(is_upper, x[1], y[1]), choice(is_upper, x[7], y[7])
+    t2, z = add(t0, upper), add(above, multiply(g, t0))
     return TurningPoints(
         choice(is_upper, x[0], y[0]), upper, choice(is_upper, x[2], y[2]), choice(is_upper, x[3], y[3]),
-        choice(is_upper, x[4], y[4]), quotient(square(c_plus), multiply(t2, z)), t2, choice(is_upper, x[5], y[5]),
-        choice(is_upper, x[6], y[6]), apart, choice(is_upper, x[8], y[8]), z,
+        choice(is_upper, x[4], y[4]), quotient(square(top.c_plus), multiply(t2, z)), t2, choice(is_upper, x[5], y[5]),
+        choice(is_upper, x[6], y[6]), above, choice(is_upper, x[8], y[8]), z,
     )
+
+
+def turning_points(top: Reduction) -> TurningPoints:
+    """Return the turning points of a top."""
+    lone = apart(top)
+    root, _, _ = iterate_until(nearer, is_found, begun(lone), AT_ONCE, MOST)
+    return turning_points_of(top, lone.upper, root, lone.f1)

@@ -36,7 +36,8 @@ from polhode.exact.lagrange_top._formulas import (
 )
 from polhode.exact.lagrange_top._formulas_integrals import Integrals
 from polhode.exact.lagrange_top._formulas_rates import Frequencies, climb, half_periods, periods, phase_rates
-from polhode.exact.lagrange_top._formulas_roots import ONE, ZERO, Reduction, Three, TurningPoints, is_upright, leaves
+from polhode.exact.lagrange_top._formulas_reduction import ONE, ZERO, Reduction, Three, is_upright, leaves
+from polhode.exact.lagrange_top._formulas_roots import TurningPoints
 
 NO_TERMS = (0.0, 0.0, 0.0, 0.0)
 Six = tuple[Number, Number, Number, Number, Number, Number]

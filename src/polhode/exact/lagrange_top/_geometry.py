@@ -8,14 +8,15 @@ from polhode._base.arrays import compiled, namespace
 from polhode.exact._array_arithmetic import for_arrays
 from polhode.exact.lagrange_top import _formulas_numbers as formulas_numbers
 from polhode.exact.lagrange_top import _formulas_rates as formulas_rates
+from polhode.exact.lagrange_top import _formulas_reduction as formulas_reduction
 from polhode.exact.lagrange_top import _formulas_roots as formulas_roots
 from polhode.exact.lagrange_top._formulas_rates import Frequencies
-from polhode.exact.lagrange_top._formulas_roots import Reduction, TurningPoints
-from polhode.exact.lagrange_top._reduction import reduce_top
-from polhode.exact.lagrange_top._roots import FORMULAS, turning_points
+from polhode.exact.lagrange_top._formulas_reduction import Reduction
+from polhode.exact.lagrange_top._formulas_roots import TurningPoints
+from polhode.exact.lagrange_top._preparation import reduced
 from polhode.types import Array, Float64, Integer
 
-NUMBERS = for_arrays(formulas_roots, formulas_rates, formulas_numbers)
+NUMBERS = for_arrays(formulas_reduction, formulas_roots, formulas_rates, formulas_numbers)
 REGIMES = (
     "rest", "sleeping", "hanging", "steady", "free", "planar", "undulating", "cusp", "loop", "separatrix",
 )  # fmt: skip
@@ -43,9 +44,7 @@ def characteristics(
     attitude: Float64[Array, "*batch 4"],
 ) -> Characteristics:
     """Return the characteristics of tops with arrays (…, 3), (…, 1), (…, 3) and (…, 4) of one batch shape."""
-    top = compiled(reduce_top, moments)(moments, mgl, momentum, attitude)
-    points = compiled(turning_points, moments)(top)
-    return characteristics_of(top, points, compiled(FORMULAS.frequencies, moments)(top, points))
+    return characteristics_of(*reduced(moments, mgl, momentum, attitude))
 
 
 def characteristics_of(top: Reduction, points: TurningPoints, rates: Frequencies) -> Characteristics:

@@ -35,7 +35,8 @@ from polhode.exact.lagrange_top._formulas_integrals import (
     rest_of_beta,
     widest,
 )
-from polhode.exact.lagrange_top._formulas_roots import ONE, Reduction, TurningPoints
+from polhode.exact.lagrange_top._formulas_reduction import ONE, Reduction
+from polhode.exact.lagrange_top._formulas_roots import TurningPoints
 
 # rows of the duplication, those of the sharp one in pairs
 X, Y, Z = 0, 2 * BLOCK, 4 * BLOCK

@@ -1,6 +1,6 @@
 """The set-up of many tops, from moments to the columns of ``formulas.Motion``, compiled by Numba.
 
-The steps of the formulas, and of ``reduction`` and ``roots``, in blocks of tops and in loops that LLVM turns into
+The steps of the formulas in blocks of tops and in loops that LLVM turns into
 vector instructions. Tops are sorted on the way: those that take the full form first, then those that
 take the complementary one. Tops that have no weight, that do not nutate, and that end upright are left to NumPy.
 """
@@ -26,10 +26,36 @@ from polhode.exact._kernel_arithmetic import (
 from polhode.exact._kernel_loops import SUMS, WORK, sums_of_many
 from polhode.exact._kernel_records import load
 from polhode.exact.lagrange_top import _kernel_store as at
-from polhode.exact.lagrange_top._formulas import A_SUM, AXIAL, COLUMNS, FIRST, NOME, PHASES, REVERSED, Motion, sums_at
+from polhode.exact.lagrange_top._formulas import (
+    A_SUM,
+    AXIAL,
+    COLUMNS,
+    FIRST,
+    NOME,
+    PHASES,
+    REVERSED,
+    Four,
+    Motion,
+    sums_at,
+)
 from polhode.exact.lagrange_top._formulas_integrals import Integrals, integrals_of
 from polhode.exact.lagrange_top._formulas_rates import Frequencies, Starts, frequencies, frequencies_of, starts_of
-from polhode.exact.lagrange_top._formulas_roots import Reduction, TurningPoints
+from polhode.exact.lagrange_top._formulas_reduction import (
+    Reduction,
+    Three,
+    exactly_reduced,
+    plainly_reduced,
+    scaled,
+    size_of,
+)
+from polhode.exact.lagrange_top._formulas_roots import (
+    TurningPoints,
+    apart,
+    begun,
+    is_found,
+    nearer,
+    turning_points_of,
+)
 from polhode.exact.lagrange_top._formulas_setup import (
     Arguments,
     Given,
@@ -37,40 +63,41 @@ from polhode.exact.lagrange_top._formulas_setup import (
     arguments,
     complementary,
     full_series,
+    is_full,
     motion_of,
     phases_of,
     tails,
     timing_of,
 )
 from polhode.exact.lagrange_top._kernel_integrals import integrals
-from polhode.exact.lagrange_top._kernel_reduction import TERMS, begin
+from polhode.exact.lagrange_top._kernel_reduction import begin, is_left, is_near, is_within
 from polhode.exact.lagrange_top._kernel_roots import turning_points
-from polhode.exact.lagrange_top._kernel_store import KEPT, ROWS
+from polhode.exact.lagrange_top._kernel_store import ALL, KEPT, ROWS
 
 WORTH = 1_000  # tops for which a thread is worth its start
 
 
 def _form(w: Any, i: int) -> int:
     """Return 1 for a top that takes the full form, 0 for the complementary one, −1 for one that the kernels leave."""
-    d, b = w[at.GAP + i], w[at.B + i]
-    if not (w[at.UP + i] >= 0.0 and d > 0.0 and b > 0.0):
+    points = load(w, at.POINTS + i, TurningPoints)
+    if not (w[at.UP + i] >= 0.0 and points.d[0] > 0.0 and points.B[0] > 0.0):
         return -1
-    return 1 if w[at.G + i] * d <= b else 0
+    return 1 if is_full(load(w, at.TOP + i, Reduction), points) else 0
 
 
 @called
-def _sorted(begun: Any, count: int, sources: Any, w: Any, place: Any, order: Any) -> tuple[int, int]:
+def _sorted(before: Any, count: int, sources: Any, w: Any, place: Any, order: Any) -> tuple[int, int]:
     """Copy the tops that the kernels take, those of the full form first; return how many take it, and how many any.
 
     Args:
-        begun, w: stores of tops before and after.
+        before, w: stores of tops before and after.
         count: of tops before.
         sources, place: where the tops come from, before and after.
         order: room for BLOCK whole numbers.
     """
     full, back = 0, count
     for i in range(count):
-        form = _form(begun, i)
+        form = _form(before, i)
         if form == 1:
             order[full] = i
             full += 1
@@ -82,7 +109,7 @@ def _sorted(begun: Any, count: int, sources: Any, w: Any, place: Any, order: Any
     good = full + count - back
     for k in range(KEPT):
         for i in range(good):
-            w[k * BLOCK + i] = begun[k * BLOCK + order[i]]
+            w[k * BLOCK + i] = before[k * BLOCK + order[i]]
     for i in range(good):
         place[i] = sources[order[i]]
     return full, good
@@ -172,18 +199,23 @@ def _phases(w: Any, count: int, m: Any, work: Any) -> None:
         put_record(m, PHASES + i, phases_of(top, timing, sums_at(work, SUMS + i)))
 
 
-def set_up_one(moments: Any, mgl: Any, momentum: Any, attitude: Any) -> Motion | None:
+def set_up_one(moments: Three, mgl: tuple[float], momentum: Three, attitude: Four) -> Motion | None:
     """Return the constants of motion of one top, or None for one that is left to NumPy."""
-    w = room(ROWS)
-    count = begin([moments], [mgl], [momentum], [attitude], w, [0], room(TERMS))
-    turning_points(w, count)
-    if count == 0 or _form(w, 0) < 0:
+    if not is_within(moments, mgl[0], momentum):
         return None
-    top, points = load(w, at.TOP, Reduction), load(w, at.POINTS, TurningPoints)
+    given = scaled(moments, mgl[0], momentum, attitude)
+    if not is_near(given):
+        return None
+    top, spare = plainly_reduced(given)
+    top = exactly_reduced(given, size_of(given)) if spare < 0.0 else top
+    lone = apart(top)
+    root = nearer(nearer(begun(lone)))
+    points = turning_points_of(top, lone.upper, root[0], lone.f1)
+    if is_left(top) or not (is_found(root) and points.d[0] > 0.0 and points.B[0] > 0.0):
+        return None
     rates = frequencies(top, points)
     at_start = arguments(top, points, rates, integrals_of(top, points, rates))
-    given = Given(top, points, rates, at_start, momentum[2])
-    motion = motion_of(given)
+    motion = motion_of(Given(top, points, rates, at_start, momentum[2]))
     return motion if _is_finite(motion) else None
 
 
@@ -195,15 +227,15 @@ def _is_finite(part: Any) -> bool:
 def set_up(
     moments: Any, mgl: Any, momentum: Any, attitude: Any, columns: Any, left: Any, first: int
 ) -> None:
-    begun, w, m = room(ROWS), room(ROWS), room(COLUMNS * BLOCK)
-    steps, work, zeros, terms = room(STEPS * BLOCK), room(WORK * BLOCK), room(BLOCK), room(TERMS)
+    before, w, m = room(ALL), room(ROWS), room(COLUMNS * BLOCK)
+    steps, work, zeros = room(STEPS * BLOCK), room(WORK * BLOCK), room(BLOCK)
     sources, place, who = places(BLOCK), places(BLOCK), places(BLOCK)
     good = flags(BLOCK)
     for low in range(0, len(moments), BLOCK):
         part = slice(low, low + BLOCK)
-        count = begin(moments[part], mgl[part], momentum[part], attitude[part], begun, sources, terms)
-        turning_points(begun, count)
-        full, count = _sorted(begun, count, sources, w, place, who)
+        count = begin(moments[part], mgl[part], momentum[part], attitude[part], before, sources)
+        turning_points(before, count)
+        full, count = _sorted(before, count, sources, w, place, who)
         _start_alpha(w, count, steps)
         third_kind(w, at.MEAN, at.ALPHA, count, steps, who)
         _start_beta(w, count, steps)

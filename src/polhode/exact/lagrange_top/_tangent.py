@@ -15,10 +15,10 @@ from polhode._base.arrays import COMPLEX_STEP, derivative_columns, namespace, sp
 from polhode.exact._blocks import Vectors
 from polhode.exact.lagrange_top import _standing as standing
 from polhode.exact.lagrange_top._flow import flow, slopes
-from polhode.exact.lagrange_top._formulas_roots import Reduction, TurningPoints
+from polhode.exact.lagrange_top._formulas_reduction import Reduction
+from polhode.exact.lagrange_top._formulas_roots import TurningPoints
 from polhode.exact.lagrange_top._periods import Invariants, Nutation, added_by_nutation
-from polhode.exact.lagrange_top._preparation import Prepared
-from polhode.exact.lagrange_top._roots import FORMULAS
+from polhode.exact.lagrange_top._preparation import FORMULAS, Prepared
 from polhode.special import _doubledouble as dd
 from polhode.special._circular import reduced_phase, split_rate
 from polhode.special._doubledouble import DoubleDouble
@@ -105,7 +105,7 @@ def tangent_data(prepared: Prepared) -> TangentData:
     D = dd.where(hanging, dd.negate(dd.add(dd.scale(top.G, 2.0), square)), top.D)
     place = xp.where(motion[0] != 0.0, 2.0 * motion[10], motion[10])
     momentum, quaternion, (c, energy, s2, d, tilt) = _given_size(xp, top, points)
-    lift = xp.ldexp(xp.ones_like(c), xp.where(FORMULAS.leaves(top), top.lift, 0))
+    lift = FORMULAS.times_power(xp.ones_like(c), xp.where(FORMULAS.leaves(top), top.lift, 0.0))
     return TangentData(
         *top.moments, *momentum, *quaternion, top.size[0], top.G[0], *D, c, energy, xp.where(endless, 0.0, s2),
         xp.where(endless, 0.0, d), safe(points.A, 1.0), safe(points.B, 1.0), xp.where(permanent, top.s0[0], tilt),
@@ -122,15 +122,16 @@ def _given_size(
     Those five of tops that leave the vertical stay scaled up, as periods are given by them.
     """
     upright = FORMULAS.is_upright(top)
-    below, above = (xp.where(v, 0, -top.lift) for v in (upright, ~upright))
+    below, above = (xp.where(v, 0.0, -top.lift) for v in (upright, ~upright))
     (L1, L2, L3), (w, x, y, z) = top.momentum, top.quaternion
-    momentum = (xp.ldexp(L1, -top.lift), xp.ldexp(L2, -top.lift), L3)
-    quaternion = (xp.ldexp(w, below), xp.ldexp(x, above), xp.ldexp(y, above), xp.ldexp(z, below))
+    power = FORMULAS.times_power
+    momentum = (power(L1, -top.lift), power(L2, -top.lift), L3)
+    quaternion = (power(w, below), power(x, above), power(y, above), power(z, below))
     energy = dd.add(top.F, dd.multiply(dd.from_float(L3), top.c))
     # upright all five are of second order; below, d alone, as what is lifted of the others is next to nothing there
-    twice = xp.where(FORMULAS.leaves(top), 0, 2 * above)
-    c, energy, s2, d, s1 = (xp.ldexp(v[0], twice) for v in (top.c, energy, points.s2, points.d, points.s1))
-    return momentum, quaternion, (c, energy, s2, xp.ldexp(d, 2 * below), s1)
+    twice = xp.where(FORMULAS.leaves(top), 0.0, 2.0 * above)
+    c, energy, s2, d, s1 = (power(v[0], twice) for v in (top.c, energy, points.s2, points.d, points.s1))
+    return momentum, quaternion, (c, energy, s2, power(d, 2.0 * below), s1)
 
 
 def state_tangent(
