@@ -598,7 +598,6 @@ static const double PHD_FREE_LIFT = 100.0;
 static const double PHD_FREE_SHARP = 1e-280;
 /* of the terms of S: what is left below it is summed exactly */
 static const double PHD_FREE_NEAR = 0.01;
-static const int PHD_FREE_SWEEPS = 5;
 /* A body with sorted axes and without powers of two. */
 typedef struct {
     phd_three moments; /* ascending, ½ ≤ I3 < 1 */
@@ -796,169 +795,18 @@ static inline phd_pair_flag phd_free_plain_distance(phd_pair a, phd_pair b, doub
     return phd_make_pair_flag(distance, fabs(distance.hi) < PHD_FREE_NEAR * first.hi);
 }
 
-typedef struct { double at[4]; } phd_four;
-
-static inline phd_four phd_make_four(double x0, double x1, double x2, double x3)
+/* Return the product of a gap, a moment and x². */
+static inline phd_sum phd_free_of_square(phd_pair gap, double moment, double x)
 {
-    phd_four all;
-    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3;
-    return all;
+    return phd_multiply_terms(phd_multiply_terms(phd_multiply_terms(phd_as_sum(gap), moment), x), x);
 }
 
-static inline phd_four phd_free_times(phd_pair terms, double factor)
-{
-    const phd_pair a = phd_two_product(terms.hi, factor);
-    const phd_pair b = phd_two_product(terms.lo, factor);
-    return phd_make_four(a.hi, a.lo, b.hi, b.lo);
-}
-
-typedef struct { phd_four at[4]; } phd_four_fours;
-
-static inline phd_four_fours phd_make_four_fours(phd_four x0, phd_four x1, phd_four x2, phd_four x3)
-{
-    phd_four_fours all;
-    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3;
-    return all;
-}
-
-/* Return the exact product of a gap, a moment and x²: a sum of floats, twice as many for each [Shewchuk 1997]. */
-static inline phd_four_fours phd_free_expanded(phd_pair gap, double moment, double x)
-{
-    const phd_four of_times = phd_free_times(gap, moment);
-    const double a = of_times.at[0], b = of_times.at[1], c = of_times.at[2], d = of_times.at[3];
-    const phd_four e = phd_free_times(phd_make_pair(a, b), x);
-    const phd_four f = phd_free_times(phd_make_pair(c, d), x);
-    return phd_make_four_fours(phd_free_times(phd_make_pair(e.at[0], e.at[1]), x),
-        phd_free_times(phd_make_pair(e.at[2], e.at[3]), x), phd_free_times(phd_make_pair(f.at[0], f.at[1]), x),
-        phd_free_times(phd_make_pair(f.at[2], f.at[3]), x));
-}
-
-typedef struct {
-    double first;
-    phd_four second;
-} phd_number_four;
-
-static inline phd_number_four phd_make_number_four(double first, phd_four second)
-{
-    phd_number_four all;
-    all.first = first; all.second = second;
-    return all;
-}
-
-/* Return a running sum with four terms more, and what each addition has rounded off. */
-static inline phd_number_four phd_free_swept_four(double running, phd_four terms)
-{
-    double a = terms.at[0];
-    double b = terms.at[1];
-    double c = terms.at[2];
-    double d = terms.at[3];
-    const phd_pair of_two_sum = phd_two_sum(running, a);
-    running = of_two_sum.hi;
-    a = of_two_sum.lo;
-    const phd_pair of_two_sum_2 = phd_two_sum(running, b);
-    running = of_two_sum_2.hi;
-    b = of_two_sum_2.lo;
-    const phd_pair of_two_sum_3 = phd_two_sum(running, c);
-    running = of_two_sum_3.hi;
-    c = of_two_sum_3.lo;
-    const phd_pair of_two_sum_4 = phd_two_sum(running, d);
-    running = of_two_sum_4.hi;
-    d = of_two_sum_4.lo;
-    return phd_make_number_four(running, phd_make_four(a, b, c, d));
-}
-
-typedef struct { phd_four at[8]; } phd_eight_fours;
-
-static inline phd_eight_fours phd_make_eight_fours(phd_four x0, phd_four x1, phd_four x2, phd_four x3, phd_four x4,
-    phd_four x5, phd_four x6, phd_four x7)
-{
-    phd_eight_fours all;
-    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3; all.at[4] = x4; all.at[5] = x5; all.at[6] = x6;
-    all.at[7] = x7;
-    return all;
-}
-
-/* Return terms of equal sum, of which the last has the leading part [Ogita, Rump & Oishi 2005, Algorithm 4.3]. */
-static inline phd_eight_fours phd_free_swept(phd_eight_fours terms)
-{
-    phd_four second = terms.at[1];
-    phd_four third = terms.at[2];
-    phd_four fourth = terms.at[3];
-    phd_four fifth = terms.at[4];
-    phd_four sixth = terms.at[5];
-    phd_four seventh = terms.at[6];
-    phd_four eighth = terms.at[7];
-    const phd_four first = terms.at[0];
-    double b = first.at[1];
-    double c = first.at[2];
-    double d = first.at[3];
-    const double a = first.at[0];
-    const phd_pair of_two_sum = phd_two_sum(a, b);
-    double running = of_two_sum.hi;
-    b = of_two_sum.lo;
-    const phd_pair of_two_sum_2 = phd_two_sum(running, c);
-    running = of_two_sum_2.hi;
-    c = of_two_sum_2.lo;
-    const phd_pair of_two_sum_3 = phd_two_sum(running, d);
-    running = of_two_sum_3.hi;
-    d = of_two_sum_3.lo;
-    const phd_number_four of_swept_four = phd_free_swept_four(running, second);
-    running = of_swept_four.first;
-    second = of_swept_four.second;
-    const phd_number_four of_swept_four_2 = phd_free_swept_four(running, third);
-    running = of_swept_four_2.first;
-    third = of_swept_four_2.second;
-    const phd_number_four of_swept_four_3 = phd_free_swept_four(running, fourth);
-    running = of_swept_four_3.first;
-    fourth = of_swept_four_3.second;
-    const phd_number_four of_swept_four_4 = phd_free_swept_four(running, fifth);
-    running = of_swept_four_4.first;
-    fifth = of_swept_four_4.second;
-    const phd_number_four of_swept_four_5 = phd_free_swept_four(running, sixth);
-    running = of_swept_four_5.first;
-    sixth = of_swept_four_5.second;
-    const phd_number_four of_swept_four_6 = phd_free_swept_four(running, seventh);
-    running = of_swept_four_6.first;
-    seventh = of_swept_four_6.second;
-    const phd_number_four of_swept_four_7 = phd_free_swept_four(running, eighth);
-    running = of_swept_four_7.first;
-    eighth = of_swept_four_7.second;
-    return phd_make_eight_fours(phd_make_four(b, c, d, second.at[0]),
-        phd_make_four(second.at[1], second.at[2], second.at[3], third.at[0]),
-        phd_make_four(third.at[1], third.at[2], third.at[3], fourth.at[0]),
-        phd_make_four(fourth.at[1], fourth.at[2], fourth.at[3], fifth.at[0]),
-        phd_make_four(fifth.at[1], fifth.at[2], fifth.at[3], sixth.at[0]),
-        phd_make_four(sixth.at[1], sixth.at[2], sixth.at[3], seventh.at[0]),
-        phd_make_four(seventh.at[1], seventh.at[2], seventh.at[3], eighth.at[0]),
-        phd_make_four(eighth.at[1], eighth.at[2], eighth.at[3], running));
-}
-
-static inline double phd_free_more(double rest, phd_four terms)
-{
-    return rest + terms.at[0] + terms.at[1] + terms.at[2] + terms.at[3];
-}
-
-/* Return S = (I2 − I1) I3 x² − (I3 − I2) I1 z², correct to its last digit however close to the separatrix.
-
-   Source: Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, Algorithm 4.8 (SumK). */
+/* Return S = (I2 − I1) I3 x² − (I3 − I2) I1 z², correct to its last digit however close to the separatrix. */
 static inline phd_pair phd_free_exact_distance(phd_three moments, double x, double z)
 {
     const double i1 = moments.at[0], i2 = moments.at[1], i3 = moments.at[2];
-    const phd_four_fours of_expanded = phd_free_expanded(phd_two_sum(i2, -i1), i3, x);
-    const phd_four a = of_expanded.at[0], b = of_expanded.at[1], c = of_expanded.at[2], d = of_expanded.at[3];
-    const phd_four_fours of_expanded_2 = phd_free_expanded(phd_two_sum(i3, -i2), -i1, z);
-    const phd_four e = of_expanded_2.at[0], f = of_expanded_2.at[1], g = of_expanded_2.at[2], h = of_expanded_2.at[3];
-    phd_eight_fours running = phd_make_eight_fours(a, b, c, d, e, f, g, h);
-    for (int k = 0; k < PHD_FREE_SWEEPS; k++) {
-        running = phd_free_swept(running);
-    }
-    const phd_four first = running.at[0], second = running.at[1], third = running.at[2], fourth = running.at[3],
-        fifth = running.at[4], sixth = running.at[5], seventh = running.at[6], eighth = running.at[7];
-    double rest = first.at[0] + first.at[1] + first.at[2] + first.at[3];
-    rest = phd_free_more(phd_free_more(phd_free_more(phd_free_more(phd_free_more(phd_free_more(rest, second), third),
-                    fourth), fifth), sixth), seventh);
-    rest = rest + eighth.at[0] + eighth.at[1] + eighth.at[2];
-    return phd_two_sum(eighth.at[3], rest);
+    return phd_distil(phd_join(phd_free_of_square(phd_two_sum(i2, -i1), i3, x),
+            phd_free_of_square(phd_two_sum(i3, -i2), -i1, z)));
 }
 
 typedef struct {
@@ -1234,6 +1082,15 @@ static inline phd_free_motion_record phd_make_free_motion_record(double full, ph
     phd_free_motion_record all;
     all.full = full; all.first = first; all.second = second; all.start = start; all.series = series; all.nome = nome;
     all.parity = parity; all.to_attitude = to_attitude; all.to_momentum = to_momentum;
+    return all;
+}
+
+typedef struct { double at[4]; } phd_four;
+
+static inline phd_four phd_make_four(double x0, double x1, double x2, double x3)
+{
+    phd_four all;
+    all.at[0] = x0; all.at[1] = x1; all.at[2] = x2; all.at[3] = x3;
     return all;
 }
 

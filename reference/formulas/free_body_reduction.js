@@ -7,6 +7,7 @@
 // mirror in which time runs backward (long-axis mode), and a half turn about the second axis. One set of formulas then
 // serves all. Source: van Zon & Schofield, J. Comput. Phys. 225 (2007) 145, with the cancellations removed.
 
+import { distil, join, multiplyTerms } from "../exact_sums.js";
 import { binaryExponent, larger, smaller, timesPower } from "../words.js";
 import {
   add,
@@ -25,7 +26,6 @@ export const TINY_RATIO = 1.1830521861667747e-271;
 export const LIFT = 100;
 export const SHARP = 1e-280; // products of double-doubles above it have all their digits
 export const NEAR = 0.01; // of the terms of S: what is left below it is summed exactly
-export const SWEEPS = 5;
 
 /**
  * A body with sorted axes and without powers of two.
@@ -154,79 +154,15 @@ export function plainDistance(a, b, x, z) {
   return [distance, Math.abs(distance[0]) < NEAR * first[0]];
 }
 
-function _times(terms, factor) {
-  const a = twoProduct(terms[0], factor);
-  const b = twoProduct(terms[1], factor);
-  return [a[0], a[1], b[0], b[1]];
+/** Return the product of a gap, a moment and x². */
+function _ofSquare(gap, moment, x) {
+  return multiplyTerms(multiplyTerms(multiplyTerms(gap, moment), x), x);
 }
 
-/** Return the exact product of a gap, a moment and x²: a sum of floats, twice as many for each [Shewchuk 1997]. */
-function _expanded(gap, moment, x) {
-  const { 0: a, 1: b, 2: c, 3: d } = _times(gap, moment);
-  const e = _times([a, b], x);
-  const f = _times([c, d], x);
-  return [_times([e[0], e[1]], x), _times([e[2], e[3]], x), _times([f[0], f[1]], x), _times([f[2], f[3]], x)];
-}
-
-/** Return a running sum with four terms more, and what each addition has rounded off. */
-function _sweptFour(running, terms) {
-  let { 0: a, 1: b, 2: c, 3: d } = terms;
-  ({ 0: running, 1: a } = twoSum(running, a));
-  ({ 0: running, 1: b } = twoSum(running, b));
-  ({ 0: running, 1: c } = twoSum(running, c));
-  ({ 0: running, 1: d } = twoSum(running, d));
-  return [running, [a, b, c, d]];
-}
-
-/** Return terms of equal sum, of which the last has the leading part [Ogita, Rump & Oishi 2005, Algorithm 4.3]. */
-function _swept(terms) {
-  let { 0: first, 1: second, 2: third, 3: fourth, 4: fifth, 5: sixth, 6: seventh, 7: eighth } = terms;
-  let { 0: a, 1: b, 2: c, 3: d } = first;
-  let running;
-  ({ 0: running, 1: b } = twoSum(a, b));
-  ({ 0: running, 1: c } = twoSum(running, c));
-  ({ 0: running, 1: d } = twoSum(running, d));
-  ({ 0: running, 1: second } = _sweptFour(running, second));
-  ({ 0: running, 1: third } = _sweptFour(running, third));
-  ({ 0: running, 1: fourth } = _sweptFour(running, fourth));
-  ({ 0: running, 1: fifth } = _sweptFour(running, fifth));
-  ({ 0: running, 1: sixth } = _sweptFour(running, sixth));
-  ({ 0: running, 1: seventh } = _sweptFour(running, seventh));
-  ({ 0: running, 1: eighth } = _sweptFour(running, eighth));
-  return [
-    [b, c, d, second[0]],
-    [second[1], second[2], second[3], third[0]],
-    [third[1], third[2], third[3], fourth[0]],
-    [fourth[1], fourth[2], fourth[3], fifth[0]],
-    [fifth[1], fifth[2], fifth[3], sixth[0]],
-    [sixth[1], sixth[2], sixth[3], seventh[0]],
-    [seventh[1], seventh[2], seventh[3], eighth[0]],
-    [eighth[1], eighth[2], eighth[3], running],
-  ];
-}
-
-function _more(rest, terms) {
-  return rest + terms[0] + terms[1] + terms[2] + terms[3];
-}
-
-/**
- * Return S = (I2 − I1) I3 x² − (I3 − I2) I1 z², correct to its last digit however close to the separatrix.
- *
- * Source: Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, Algorithm 4.8 (SumK).
- */
+/** Return S = (I2 − I1) I3 x² − (I3 − I2) I1 z², correct to its last digit however close to the separatrix. */
 export function exactDistance(moments, x, z) {
   const { 0: i1, 1: i2, 2: i3 } = moments;
-  const { 0: a, 1: b, 2: c, 3: d } = _expanded(twoSum(i2, -i1), i3, x);
-  const { 0: e, 1: f, 2: g, 3: h } = _expanded(twoSum(i3, -i2), -i1, z);
-  let running = [a, b, c, d, e, f, g, h];
-  for (let k = 0; k < SWEEPS; k++) {
-    running = _swept(running);
-  }
-  const { 0: first, 1: second, 2: third, 3: fourth, 4: fifth, 5: sixth, 6: seventh, 7: eighth } = running;
-  let rest = first[0] + first[1] + first[2] + first[3];
-  rest = _more(_more(_more(_more(_more(_more(rest, second), third), fourth), fifth), sixth), seventh);
-  rest = rest + eighth[0] + eighth[1] + eighth[2];
-  return twoSum(eighth[3], rest);
+  return distil(join(_ofSquare(twoSum(i2, -i1), i3, x), _ofSquare(twoSum(i3, -i2), -i1, z)));
 }
 
 function _exact(values) {

@@ -8,14 +8,12 @@ use crate::words::*;
 
 type Three = (f64, f64, f64);
 type Pair = (f64, f64);
-type Four = (f64, f64, f64, f64);
-type FourFours = (Four, Four, Four, Four);
-type EightFours = (Four, Four, Four, Four, Four, Four, Four, Four);
 type TwoThrees = (Three, Three);
 type Ten = (f64, f64, f64, f64, f64, f64, f64, f64, f64, f64);
 type Five = (f64, f64, f64, f64, f64);
 type Sixteen = (f64, f64, f64, f64, f64, f64, f64, f64, f64, f64, f64, f64, f64, f64, f64, f64);
 type Nine = (f64, f64, f64, f64, f64, f64, f64, f64, f64);
+type Four = (f64, f64, f64, f64);
 type Seven = (f64, f64, f64, f64, f64, f64, f64);
 type Six = (f64, f64, f64, f64, f64, f64);
 type ThreeThrees = (Three, Three, Three);
@@ -27,7 +25,6 @@ pub const LIFT: f64 = 100.0;
 pub const SHARP: f64 = 1e-280;
 // of the terms of S: what is left below it is summed exactly
 pub const NEAR: f64 = 0.01;
-pub const SWEEPS: i32 = 5;
 /// A body with sorted axes and without powers of two.
 #[derive(Clone, Copy)]
 pub struct Scaled {
@@ -162,76 +159,15 @@ pub fn plain_distance(a: Pair, b: Pair, x: f64, z: f64) -> (Pair, bool) {
     (distance, distance.0.abs() < NEAR * first.0)
 }
 
-pub fn _times(terms: Pair, factor: f64) -> Four {
-    let a = both::two_product(terms.0, factor);
-    let b = both::two_product(terms.1, factor);
-    (a.0, a.1, b.0, b.1)
-}
-
-/// Return the exact product of a gap, a moment and x²: a sum of floats, twice as many for each [Shewchuk 1997].
-pub fn _expanded(gap: Pair, moment: f64, x: f64) -> FourFours {
-    let (a, b, c, d) = _times(gap, moment);
-    let e = _times((a, b), x);
-    let f = _times((c, d), x);
-    (_times((e.0, e.1), x), _times((e.2, e.3), x), _times((f.0, f.1), x), _times((f.2, f.3), x))
-}
-
-/// Return a running sum with four terms more, and what each addition has rounded off.
-pub fn _swept_four(running: f64, terms: Four) -> (f64, Four) {
-    let (a, b, c, d) = terms;
-    let (running, a) = both::two_sum(running, a);
-    let (running, b) = both::two_sum(running, b);
-    let (running, c) = both::two_sum(running, c);
-    let (running, d) = both::two_sum(running, d);
-    (running, (a, b, c, d))
-}
-
-/// Return terms of equal sum, of which the last has the leading part [Ogita, Rump & Oishi 2005, Algorithm 4.3].
-pub fn _swept(terms: EightFours) -> EightFours {
-    let (first, second, third, fourth, fifth, sixth, seventh, eighth) = terms;
-    let (a, b, c, d) = first;
-    let (running, b) = both::two_sum(a, b);
-    let (running, c) = both::two_sum(running, c);
-    let (running, d) = both::two_sum(running, d);
-    let (running, second) = _swept_four(running, second);
-    let (running, third) = _swept_four(running, third);
-    let (running, fourth) = _swept_four(running, fourth);
-    let (running, fifth) = _swept_four(running, fifth);
-    let (running, sixth) = _swept_four(running, sixth);
-    let (running, seventh) = _swept_four(running, seventh);
-    let (running, eighth) = _swept_four(running, eighth);
-    (
-        (b, c, d, second.0),
-        (second.1, second.2, second.3, third.0),
-        (third.1, third.2, third.3, fourth.0),
-        (fourth.1, fourth.2, fourth.3, fifth.0),
-        (fifth.1, fifth.2, fifth.3, sixth.0),
-        (sixth.1, sixth.2, sixth.3, seventh.0),
-        (seventh.1, seventh.2, seventh.3, eighth.0),
-        (eighth.1, eighth.2, eighth.3, running),
-    )
-}
-
-pub fn _more(rest: f64, terms: Four) -> f64 {
-    rest + terms.0 + terms.1 + terms.2 + terms.3
+/// Return the product of a gap, a moment and x².
+pub fn _of_square(gap: Pair, moment: f64, x: f64) -> Sum {
+    multiply_terms(multiply_terms(multiply_terms(as_sum(gap), moment), x), x)
 }
 
 /// Return S = (I2 − I1) I3 x² − (I3 − I2) I1 z², correct to its last digit however close to the separatrix.
-///
-/// Source: Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, Algorithm 4.8 (SumK).
 pub fn exact_distance(moments: Three, x: f64, z: f64) -> Pair {
     let (i1, i2, i3) = moments;
-    let (a, b, c, d) = _expanded(both::two_sum(i2, -i1), i3, x);
-    let (e, f, g, h) = _expanded(both::two_sum(i3, -i2), -i1, z);
-    let mut running = (a, b, c, d, e, f, g, h);
-    for k in 0..SWEEPS {
-        running = _swept(running);
-    }
-    let (first, second, third, fourth, fifth, sixth, seventh, eighth) = running;
-    let rest = first.0 + first.1 + first.2 + first.3;
-    let rest = _more(_more(_more(_more(_more(_more(rest, second), third), fourth), fifth), sixth), seventh);
-    let rest = rest + eighth.0 + eighth.1 + eighth.2;
-    both::two_sum(eighth.3, rest)
+    distil(join(_of_square(both::two_sum(i2, -i1), i3, x), _of_square(both::two_sum(i3, -i2), -i1, z)))
 }
 
 pub fn _exact(values: ((Three, f64, f64), Pair)) -> Pair {

@@ -12,15 +12,19 @@ from typing import NamedTuple
 from polhode.exact._kernel_arithmetic import (
     Number,
     Pair,
+    Sum,
     Truth,
     add,
+    as_sum,
     binary_exponent,
     choice,
     choose,
-    iterate,
+    distil,
+    join,
     larger,
     multiply,
     multiply_float,
+    multiply_terms,
     root_or_zero,
     scale,
     smaller,
@@ -37,11 +41,8 @@ TINY_RATIO = 2.0**-900  # of components of L, below which numbers with it are sc
 LIFT = 100.0
 SHARP = 1e-280  # products of double-doubles above it have all their digits
 NEAR = 1e-2  # of the terms of S: what is left below it is summed exactly
-SWEEPS = 5
 Three = tuple[Number, Number, Number]
 Axis = tuple[Number, Number, Number]  # its moment, momentum and place among the given ones
-Four = tuple[Number, Number, Number, Number]
-Terms = tuple[Four, Four, Four, Four, Four, Four, Four, Four]
 
 
 class Scaled(NamedTuple):
@@ -163,67 +164,15 @@ def plain_distance(a: Pair, b: Pair, x: float, z: float) -> tuple[Pair, bool]:
     return distance, abs(distance[0]) < NEAR * first[0]
 
 
-def _times(terms: Pair, factor: float) -> Four:
-    a, b = two_product(terms[0], factor), two_product(terms[1], factor)
-    return a[0], a[1], b[0], b[1]
-
-
-def _expanded(gap: Pair, moment: float, x: float) -> tuple[Four, Four, Four, Four]:
-    """Return the exact product of a gap, a moment and x²: a sum of floats, twice as many for each [Shewchuk 1997]."""
-    a, b, c, d = _times(gap, moment)
-    e, f = _times((a, b), x), _times((c, d), x)
-    return _times((e[0], e[1]), x), _times((e[2], e[3]), x), _times((f[0], f[1]), x), _times((f[2], f[3]), x)
-
-
-def _swept_four(running: float, terms: Four) -> tuple[float, Four]:
-    """Return a running sum with four terms more, and what each addition has rounded off."""
-    a, b, c, d = terms
-    running, a = two_sum(running, a)
-    running, b = two_sum(running, b)
-    running, c = two_sum(running, c)
-    running, d = two_sum(running, d)
-    return running, (a, b, c, d)
-
-
-def _swept(terms: Terms) -> Terms:
-    """Return terms of equal sum, of which the last has the leading part [Ogita, Rump & Oishi 2005, Algorithm 4.3]."""
-    first, second, third, fourth, fifth, sixth, seventh, eighth = terms
-    a, b, c, d = first
-    running, b = two_sum(a, b)
-    running, c = two_sum(running, c)
-    running, d = two_sum(running, d)
-    running, second = _swept_four(running, second)
-    running, third = _swept_four(running, third)
-    running, fourth = _swept_four(running, fourth)
-    running, fifth = _swept_four(running, fifth)
-    running, sixth = _swept_four(running, sixth)
-    running, seventh = _swept_four(running, seventh)
-    running, eighth = _swept_four(running, eighth)
-    return (
-        (b, c, d, second[0]), (second[1], second[2], second[3], third[0]), (third[1], third[2], third[3], fourth[0]),
-        (fourth[1], fourth[2], fourth[3], fifth[0]), (fifth[1], fifth[2], fifth[3], sixth[0]),
-        (sixth[1], sixth[2], sixth[3], seventh[0]), (seventh[1], seventh[2], seventh[3], eighth[0]),
-        (eighth[1], eighth[2], eighth[3], running),
-    )  # fmt: skip
-
-
-def _more(rest: float, terms: Four) -> float:
-    return (((rest + terms[0]) + terms[1]) + terms[2]) + terms[3]
+def _of_square(gap: Pair, moment: float, x: float) -> Sum:
+    """Return the product of a gap, a moment and x²."""
+    return multiply_terms(multiply_terms(multiply_terms(as_sum(gap), moment), x), x)
 
 
 def exact_distance(moments: Three, x: float, z: float) -> Pair:
-    """Return S = (I2 − I1) I3 x² − (I3 − I2) I1 z², correct to its last digit however close to the separatrix.
-
-    Source: Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, Algorithm 4.8 (SumK).
-    """
+    """Return S = (I2 − I1) I3 x² − (I3 − I2) I1 z², correct to its last digit however close to the separatrix."""
     i1, i2, i3 = moments
-    a, b, c, d = _expanded(two_sum(i2, -i1), i3, x)
-    e, f, g, h = _expanded(two_sum(i3, -i2), -i1, z)
-    first, second, third, fourth, fifth, sixth, seventh, eighth = iterate(SWEEPS, _swept, (a, b, c, d, e, f, g, h))
-    rest = ((first[0] + first[1]) + first[2]) + first[3]
-    rest = _more(_more(_more(_more(_more(_more(rest, second), third), fourth), fifth), sixth), seventh)
-    rest = ((rest + eighth[0]) + eighth[1]) + eighth[2]
-    return two_sum(eighth[3], rest)
+    return distil(join(_of_square(two_sum(i2, -i1), i3, x), _of_square(two_sum(i3, -i2), -i1, z)))
 
 
 def _exact(values: tuple[tuple[Three, float, float], Pair]) -> Pair:

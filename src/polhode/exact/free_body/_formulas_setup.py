@@ -52,13 +52,14 @@ from polhode.exact.free_body._formulas import (
     full_sums,
 )
 from polhode.exact.free_body._formulas_rates import Frequencies, phase_rates
-from polhode.exact.free_body._formulas_reduction import Four, Reduction, Three
+from polhode.exact.free_body._formulas_reduction import Reduction, Three
 from polhode.special._doubledouble import INVERSE_TWO_PI, PI
 
 HUGE_INVERSE, HUGE_SCALE = 2.0**-400, 2.0**-200  # a sine above the inverse of the first is scaled by the second
 LOG_OF_SCALE = (138.62943611198907, -3.3555121496085278e-15)  # 200 ln 2
 NINE_ZEROS = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 SIXTEEN_ZEROS = (*NINE_ZEROS, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+Four = tuple[Number, Number, Number, Number]
 Matrix = tuple[tuple[Number, Number, Number], tuple[Number, Number, Number], tuple[Number, Number, Number]]
 
 

@@ -39,7 +39,6 @@ from polhode.exact.free_body._formulas_rates import (
     start_of,
 )
 from polhode.exact.free_body._formulas_reduction import (
-    Four,
     Reduction,
     Scaled,
     Sums,
@@ -55,6 +54,7 @@ from polhode.exact.free_body._formulas_reduction import (
 from polhode.exact.free_body._formulas_setup import (
     Amplitude,
     Angles,
+    Four,
     Given,
     amplitude,
     angles,
