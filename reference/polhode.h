@@ -2451,7 +2451,7 @@ static inline phd_three phd_top_by_angle(phd_three_pairs cubic)
     const double p = c - b * third;
     const double q = 2.0 * (third * third) * third - third * c + d;
     const double r = sqrt(phd_larger(-p / 3.0, 0.0 * p));
-    return phd_make_three(third, r, r > 0.0 ? -0.5 * q / (r * r * r) : 1.0);
+    return phd_make_three(third, r, r > 0.0 ? -0.5 * q / (r > 0.0 ? r * r * r : 1.0) : 1.0);
 }
 
 /* Return the cubic whose largest root stands apart. */

@@ -71,7 +71,7 @@ function _byAngle(cubic) {
   const p = c - b * third;
   const q = 2 * (third * third) * third - third * c + d;
   const r = Math.sqrt(larger(-p / 3, 0 * p));
-  return [third, r, r > 0 ? -0.5 * q / (r * r * r) : 1];
+  return [third, r, r > 0 ? -0.5 * q / (r > 0 ? r * r * r : 1) : 1];
 }
 
 /** Return the cubic whose largest root stands apart. */

@@ -576,7 +576,7 @@ pub fn _by_angle(cubic: ThreePairs) -> Three {
     let p = c - b * third;
     let q = 2.0 * (third * third) * third - third * c + d;
     let r = larger(-p / 3.0, 0.0 * p).sqrt();
-    (third, r, if r > 0.0 { -0.5 * q / (r * r * r) } else { 1.0 })
+    (third, r, if r > 0.0 { -0.5 * q / (if r > 0.0 { r * r * r } else { 1.0 }) } else { 1.0 })
 }
 
 /// Return the cubic whose largest root stands apart.

@@ -93,7 +93,7 @@ def _by_angle(cubic: Cubic) -> Three:
     third = b / 3.0
     p, q = c - b * third, 2.0 * (third * third) * third - third * c + d
     r = square_root(larger(-p / 3.0, 0.0 * p))
-    return third, r, where(r > 0.0, -0.5 * q / (r * r * r), 1.0)
+    return third, r, where(r > 0.0, -0.5 * q / where(r > 0.0, r * r * r, 1.0), 1.0)
 
 
 def apart(top: Reduction) -> Apart:
