@@ -20,12 +20,14 @@ from polhode.exact.lagrange_top import _formulas as formulas
 from polhode.exact.lagrange_top import _formulas_integrals as formulas_integrals
 from polhode.exact.lagrange_top import _formulas_numbers as formulas_numbers
 from polhode.exact.lagrange_top import _formulas_rates as formulas_rates
+from polhode.exact.lagrange_top import _formulas_reduction as formulas_reduction
 from polhode.exact.lagrange_top import _formulas_roots as formulas_roots
 from polhode.exact.lagrange_top import _formulas_setup as formulas_setup
 from polhode.exact.lagrange_top._formulas import Motion
 from polhode.exact.lagrange_top._formulas_integrals import Integrals
 from polhode.exact.lagrange_top._formulas_rates import Frequencies
-from polhode.exact.lagrange_top._formulas_roots import Reduction, TurningPoints
+from polhode.exact.lagrange_top._formulas_reduction import Reduction
+from polhode.exact.lagrange_top._formulas_roots import TurningPoints
 from polhode.exact.lagrange_top._formulas_setup import Arguments, Given
 from polhode.exact.lagrange_top._geometry import REGIMES
 from polhode.proving.enclosures import _ball_turns as ball_turns
@@ -272,7 +274,9 @@ def _sums(m: Motion, time: Any) -> Balls:
     return FORMULAS.complementary_sums(m, side, turns_a, turns_b, e.exp() * factor, other.exp() * other_factor)
 
 
-MODULES = formulas, formulas_roots, formulas_rates, formulas_integrals, formulas_setup, formulas_numbers
+MODULES = (
+    formulas, formulas_reduction, formulas_roots, formulas_rates, formulas_integrals, formulas_setup, formulas_numbers,
+)  # fmt: skip
 PLAIN = for_balls(*MODULES)
 FORMULAS = for_balls(
     *MODULES, arguments=_arguments, _integral=_integral, _sharp_integral=_sharp_integral, _full=_full,
@@ -299,14 +303,7 @@ def _turning_points(top: LagrangeTop, reduced: Reduction) -> TurningPoints:
         least, middle, d, rest = _three_roots(cubic)
         is_upper = rest > d
         lone = arb(k) * (middle + rest - arb(u)) if is_upper else 1 - least
-    G, s0, t0, u0 = reduced.G, reduced.s0, reduced.t0, reduced.u0
-    p2, c2 = arb(top.falling**2), arb((top.p - top.a) ** 2)
-    f1, _, _ = FORMULAS.cubics(
-        reduced.momentum[2], G, G, s0, t0, u0, reduced.w2, reduced.twist, (p2, ZERO), (c2, ZERO), reduced.D, reduced.F
-    )
-    return FORMULAS.turning_points_of(
-        is_upper, (lone, ZERO), G, G, s0, t0, (p2, ZERO), (c2, ZERO), reduced.c_plus, reduced.F, f1
-    )
+    return FORMULAS.turning_points_of(reduced, is_upper, (lone, ZERO), FORMULAS.apart(reduced).f1)
 
 
 def _three_roots(cubic: fmpq_poly) -> tuple[Ball, Ball, Ball, Ball]:
