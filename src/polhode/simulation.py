@@ -12,6 +12,7 @@ import jax
 import numpy as np
 
 from polhode._base.arrays import known_numbers_only
+from polhode._base.long_work import silent
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
@@ -82,8 +83,9 @@ def simulate(
         step: largest step [s]; by default Taylor's and diffrax's own, of other methods that in which each copy's
             fastest rotation at the start turns by 0.2 rad at order 8, 0.1 at order 6, 0.05 at lower orders.
         order: of the method, by default its own.
-        progress: whether to show it on standard error, by default for long runs on a terminal; or an object with the
-            methods of diffrax's progress meters, which receives it and may end the run by an exception.
+        progress: whether to show it on standard error; by default for long runs on a terminal, and anywhere by one line
+            after half a minute. Or an object with the methods of diffrax's progress meters, which receives it and may
+            end the run by an exception.
         throw: raise if an implicit step fails in any copy; otherwise the outcome says so, and the states of that copy
             after it are infinite.
         tolerance: of the error relative to the state's size, instead of a step. Steps are shortened until
@@ -110,7 +112,7 @@ def simulate(
         NotConverged: if an implicit step does not converge, adaptive steps shrink to nothing, or no step meets the
             tolerance.
     """
-    with without_warnings():
+    with without_warnings(), silent(progress is not None):
         request = check_request(
             system, state, times, method=method, step=step, order=order, tolerance=tolerance, save=save,
             resumable=resumable, memory=memory, progress=progress, throw=throw, estimate_error=estimate_error,

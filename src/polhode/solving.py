@@ -99,9 +99,10 @@ def solve(
     compared with the motion every 64 steps at most, and computed again from checkpoints where it is off by more than 32
     ulps of its size. Second derivatives are forward ones of either mode. Those of diffrax's solvers go back from
     checkpoints, and have first derivatives only. What a function encloses is not differentiated by, but in a
-    Hamiltonian of ``LiePoisson``: give parameters as fields of a system or of an ``equinox.Module``. The exact flows of bodies with a potential have forward derivatives
-    only; ``LieMidpoint`` has both. Where rates jump with the state, as by a sign, derivatives leave out that the time
-    of the jump moves, and are wrong; corners are right. ``analysis.monodromy`` has such jumps.
+    Hamiltonian of ``LiePoisson``: give parameters as fields of a system or of an ``equinox.Module``. The exact flows of
+    bodies with a potential have forward derivatives only; ``LieMidpoint`` has both. Where rates jump with the state, as
+    by a sign, derivatives leave out that the time of the jump moves, and are wrong; corners are right.
+    ``analysis.monodromy`` has such jumps.
 
     Steps end at the system's ``jumps`` under every transformation. Others are sought, as by ``simulate``, only where
     state, times and system are known numbers, and at the start alone.

@@ -11,6 +11,7 @@ import numpy as np
 
 from polhode._base import check
 from polhode._base.arrays import known_numbers_only
+from polhode._base.long_work import long_work
 from polhode.algebra._functions import Function
 from polhode.analysis._branches import LIMITS as BRANCH_LIMITS
 from polhode.analysis._branches import Family, Place, crossings, follow, is_on, step_onto_branch, trace_family
@@ -114,6 +115,7 @@ class Continuation(NamedTuple):
 
 
 @known_numbers_only
+@long_work("following equilibria")
 def continue_equilibria(
     make: Callable[[float], AbstractLiePoissonSystem],
     limits: Real[ArrayLike, "2"],

@@ -12,6 +12,7 @@ import numpy as np
 
 from polhode._base import check
 from polhode._base.arrays import known_numbers_only
+from polhode._base.long_work import long_work
 from polhode.algebra._functions import Function
 from polhode.analysis._conserved import Energy, Source, choose_casimirs, choose_unit
 from polhode.analysis._motion_by_energy import check_motion
@@ -35,6 +36,7 @@ LIMITS = EquilibriaLimits()
 
 
 @known_numbers_only
+@long_work("the search for equilibria")
 def find_equilibria(
     system: AbstractLiePoissonSystem,
     state: Real[ArrayLike, "..."],
@@ -71,10 +73,8 @@ def find_equilibria(
     draws = np.random.default_rng(seed).normal(size=(starts, z.size)) / np.sqrt(z.size)
     check_motion(system, lambda: np.linalg.norm(z) * draws[:checked])
     constants = np.abs(algebra.structure_constants())
-    roots, left, moving, energies, works = (
-        np.asarray(x)
-        for x in _solve(system, known.source, jnp.asarray(z / unit), jnp.asarray(unit), jnp.asarray(draws), constants)
-    )
+    given = jnp.asarray(z / unit), jnp.asarray(unit), jnp.asarray(draws), constants
+    roots, left, moving, energies, works = map(np.asarray, _solve(system, known.source, *given))
     energies = energies if unit == 1.0 else works
     good = np.isfinite(roots).all(axis=1) & (left < LIMITS.residual) & (moving <= STABILITY_LIMITS.relative_field)
     kept: list[int] = []

@@ -9,6 +9,7 @@ import numpy as np
 
 from polhode._base import check
 from polhode._base.arrays import known_numbers_only
+from polhode._base.long_work import long_work
 from polhode.analysis._printing import print_answer, write_numbers, write_span
 from polhode.analysis._tangent_flow import TangentFlow, check_start
 from polhode.errors import NotConverged
@@ -62,6 +63,7 @@ class LyapunovExponents(NamedTuple):
 
 
 @known_numbers_only
+@long_work("averaging the growth of small changes")
 def lyapunov(
     system: AbstractSystem, state: Real[ArrayLike, "..."], times: Real[ArrayLike, "2"], count: int | None = None
 ) -> LyapunovExponents:

@@ -13,6 +13,7 @@ import numpy as np
 
 from polhode._base import check
 from polhode._base.arrays import known_numbers_only
+from polhode._base.long_work import long_work
 from polhode.analysis._printing import count_things, print_answer, write_numbers, write_span
 from polhode.analysis._tangent_flow import TangentFlow, compute_multipliers
 from polhode.analysis.floquet import LIMITS as FLOQUET_LIMITS
@@ -111,6 +112,7 @@ class _Place(NamedTuple):
 
 
 @known_numbers_only
+@long_work("following periodic motions")
 def continue_periodic(
     make: Callable[[float], AbstractSystem], limits: Real[ArrayLike, "2"], state: Real[ArrayLike, "..."], period: float,
     first: float = 0.0, fixed: bool = False,

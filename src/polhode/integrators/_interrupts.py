@@ -1,4 +1,4 @@
-"""Handles Ctrl-C while compiled loops run."""
+"""Handles Ctrl-C while compiled loops run, and says of long ones that they go on."""
 
 from __future__ import annotations
 
@@ -7,19 +7,23 @@ import signal
 import threading
 from collections.abc import Callable, Iterator
 
+from polhode._base.long_work import LongWork
+
 
 @contextlib.contextmanager
 def keep_interrupts() -> Iterator[Callable[[], None]]:
     """Yield a function that raises KeyboardInterrupt if Ctrl-C was pressed since, even if the exception was lost.
 
     Python raises it wherever the main thread is. In a callback of the garbage collector, as JAX has one, it is printed
-    and forgotten, and a long run would go on. A handler of a program's own is left alone.
+    and forgotten, and a long run would go on. A handler of a program's own is left alone. After a while the function
+    says once that the motion goes on.
     """
+    work = LongWork("the motion")
     if (
         threading.current_thread() is not threading.main_thread()
         or signal.getsignal(signal.SIGINT) is not signal.default_int_handler
     ):
-        yield lambda: None
+        yield work.go_on
         return
     came = threading.Event()
 
@@ -28,6 +32,7 @@ def keep_interrupts() -> Iterator[Callable[[], None]]:
         raise KeyboardInterrupt
 
     def check() -> None:
+        work.go_on()
         if came.is_set():
             raise KeyboardInterrupt
 

@@ -1,0 +1,67 @@
+"""Says of long work that it goes on: one line on standard error, on a terminal or not."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from contextvars import ContextVar
+from typing import NamedTuple
+
+
+class LongWorkLimits(NamedTuple):
+    """What decides that work is long."""
+
+    silence: float = 30.0  # s: after it people ask themselves whether a program hangs
+
+
+LIMITS = LongWorkLimits()
+_silent: ContextVar[bool] = ContextVar("silent", default=False)
+
+
+class LongWork:
+    """Work that looks at the time now and then, as a thread that waits takes longer than a short motion.
+
+    Args:
+        what: subject of the line.
+    """
+
+    def __init__(self, what: str) -> None:
+        self._what, self._begin, self._said = what, time.monotonic(), _silent.get()
+
+    def go_on(self) -> None:
+        """Say that it goes on, the first time that this is called after a while."""
+        if not self._said and time.monotonic() - self._begin >= LIMITS.silence:
+            self._said = True
+            _say(self._what)
+
+
+@contextlib.contextmanager
+def long_work(what: str) -> Iterator[None]:
+    """Say that what is within goes on, also in the middle of one call of compiled code, or while it is compiled."""
+    if _silent.get():
+        yield
+        return
+    waiting = threading.Timer(LIMITS.silence, _say, (what,))
+    waiting.daemon = True
+    waiting.start()
+    try:
+        yield
+    finally:
+        waiting.cancel()
+
+
+@contextlib.contextmanager
+def silent(wanted: bool) -> Iterator[None]:
+    """Have nothing said within, if so wanted: where progress is shown in another way, or not to be shown."""
+    token = _silent.set(wanted or _silent.get())
+    try:
+        yield
+    finally:
+        _silent.reset(token)
+
+
+def _say(what: str) -> None:
+    print(f"polhode: {what} goes on after {LIMITS.silence:g} s …", file=sys.stderr, flush=True)
