@@ -1,7 +1,7 @@
-"""Runs a closed form's kernels, by Python for little work and by Numba for much, always to the same bits.
+"""Runs a closed form's kernels, by Python for little work and compiled for much, always to the same bits.
 
-For one body at a few times, neither loading Numba nor compiling is worth it. Where Numba is not installed, NumPy takes
-much work, by the array forms that JAX traces too, whose last bits are others.
+For one body at a few times, neither loading nor compiling is worth it. Where nothing is compiled and Numba is not
+installed, NumPy takes much work, by the array forms that JAX traces too, whose last bits are others.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from polhode._base.compiled.images import has_images
 from polhode._base.compiled.kernel_modules import KernelModules, can_compile, is_worth
 from polhode._base.compiled.threads import in_threads
 from polhode.exact import _kernel_loops as kernel_loops
@@ -103,6 +104,10 @@ class ClosedForm:
                 self._ready.add(name)
         return name in self._ready
 
+    def _is_for_numpy(self, name: str, seconds: float, by_arrays: float) -> bool:
+        """Return whether NumPy is to do what takes Python so long, as there is no compiled kernel and will be none."""
+        return seconds > by_arrays and not can_compile() and not (has_images() and self._modules.is_on_disk(name))
+
     # ------------------------------------------------------------------ set-up
 
     def columns(self, arguments: Vectors) -> Float64[np.ndarray, "columns *bodies"]:
@@ -117,7 +122,7 @@ class ClosedForm:
         columns, left = np.empty((self._sizes[0], count)), np.ones(count, bool)
         if self._is_worth("set_up", SET_UP * count):
             self._set_up_many(flat, columns, left)
-        elif _is_for_numpy(SET_UP * count, ARRAY_SET_UP):
+        elif self._is_for_numpy("set_up", SET_UP * count, ARRAY_SET_UP):
             in_threads(lambda low, high: self._set_up_rows(slice(low, high), flat, columns), count, ROWS)
             left[:] = False
         else:
@@ -171,10 +176,11 @@ class ClosedForm:
         times, rests = (_own(np.broadcast_to(x, shape)).reshape(-1) for x in (elapsed, rest))
         count = math.prod(batch)
         flat = columns.reshape(len(columns), count)
-        compiled = self._is_worth("states_of_one" if count == 1 else "states_of_many", STATE * len(times))
+        name = "states_of_one" if count == 1 else "states_of_many"
+        compiled = self._is_worth(name, STATE * len(times))
         bodies = None if count == 1 else np.broadcast_to(np.arange(count).reshape(batch), shape).reshape(-1)
         outputs = np.empty((len(times), 4)), np.empty((len(times), 3))  # apart, as strided ones would not do for others
-        if not compiled and _is_for_numpy(STATE * len(times), ARRAY_STATES):
+        if not compiled and self._is_for_numpy(name, STATE * len(times), ARRAY_STATES):
             self._by_arrays(flat, bodies, times, rests, *outputs)
         elif not compiled:
             self._by_python(flat, bodies, times, rests, *outputs)
@@ -225,11 +231,6 @@ class ClosedForm:
             flat, bodies[low:high], times[low:high], rests[low:high], attitude[low:high], momentum[low:high]
         )
         in_threads(fill, len(times), kernel_loops.WORTH)
-
-
-def _is_for_numpy(seconds: float, by_arrays: float) -> bool:
-    """Return whether NumPy is to do what takes Python so long, and what Numba would do if it was installed."""
-    return seconds > by_arrays and not can_compile()
 
 
 def _own(values: Array, of: type = float) -> Array:
