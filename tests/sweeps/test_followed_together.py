@@ -81,6 +81,17 @@ def test_one_run_for_copies_of_one_system(tmp_path, monkeypatch, case):
     assert [np.shape(state)[0] for state in runs] == [4]
 
 
+@pytest.mark.parametrize(("factor", "sizes"), [(0.99, [2, 2]), (1.01, [3])])
+def test_samples_kept_at_once_have_room(tmp_path, monkeypatch, factor, sizes):
+    found, runs = evaluator(tmp_path, "heavy-top"), []
+    found.chunk(0, 4)
+    simulate, numbers = stepping.simulate, 40 * 10  # of samples and components of one motion
+    monkeypatch.setattr(stepping, "LIMITS", stepping.SteppingLimits(max_numbers=factor * 3 * numbers))
+    monkeypatch.setattr(stepping, "simulate", lambda *args, **more: runs.append(args[1]) or simulate(*args, **more))
+    found.chunk(0, 4)
+    assert [len(state) for state in runs if np.ndim(state) == 2] == sizes  # one that is left goes alone
+
+
 def test_verdicts_are_left_out_where_no_output_asks_for_them(tmp_path, monkeypatch):
     from polhode.kinds.gyrostat.answers import GyrostatReport
 
