@@ -102,6 +102,17 @@ def test_compiled_or_not_the_bits_are_the_same(by):
     assert_same_bits(plain, motions())
 
 
+@pytest.mark.parametrize("width", [1, pytest.param(lanes.LANES, marks=pytest.mark.long)])
+def test_times_need_not_lie_beside_each_other_in_memory(by, width):
+    """Every fourth of an array, and one that is read from its end, as users hand them in."""
+    by(kernels.compile_kernel(width))
+    system, start, _ = next(cases())
+    precision, times = choose_precision(None), np.linspace(0.0, 10.0, 65)
+    for some in (times[::4], times[::-1]):
+        apart, beside = (run_copies(system, start[None], given, precision).states for given in (some, some.copy()))
+        np.testing.assert_array_equal(apart, beside)
+
+
 @pytest.mark.parametrize(("function", "start"), [(jnp.exp, 800.0), (jnp.sin, np.inf), (jnp.log, -1.0),
                                                  (jnp.expm1, 800.0), (jnp.log1p, -2.0), (jnp.log1p, -1.0)])
 @pytest.mark.parametrize("width", [1, lanes.LANES])

@@ -123,6 +123,7 @@ def _plan(
     system: AbstractSystem, state: Array, times: np.ndarray, precision: Precision, longest: float,
     through: Event | None = None, branching: bool = False,
 ) -> Plan:
+    times = np.ascontiguousarray(times, float)  # as compiled kernels read them one beside the other in memory
     forth = 1.0 if times[-1] > times[0] else -1.0
     borders = _borders(system, times, forth)
     build = partial(build_machine, system, state, through=through, extended=precision.extended)
