@@ -16,7 +16,8 @@ from polhode._base.long_work import silent
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
-from polhode.integrators._series import NoSeries, series_to_tolerance, solve_by_series, solve_with_error
+from polhode.integrators._series import NoSeries, solve_by_series
+from polhode.integrators._series_error import series_to_tolerance, solve_with_error
 from polhode.integrators.probing import jumps_along, jumps_between, name_jumps
 from polhode.motion._outcome import Ending, Ends, Outcome, Status
 from polhode.motion._plan import MotionPlan, Stepping
@@ -92,8 +93,9 @@ def simulate(
             ``error_estimate`` is below it. diffrax's solvers take it as the tolerance of a step.
         estimate_error: whether to run again and say by ``error_estimate`` how far the motion is from the true one. Our
             methods are run with other steps, and twice from starts a rounding away, which near a saddle grows to most
-            of the error: this costs one and a half times the first run, four times where samples are a step apart.
-            Adaptive steps are run with another tolerance. Pulses shorter than 1/131072 of the time need ``jumps``.
+            of the error: this costs one and a half times the first run, four times where samples are a step apart; by
+            series about as much as the first run, and five times as much where errors grow. Adaptive steps are run with
+            another tolerance. Pulses shorter than 1/131072 of the time need ``jumps``.
         save: every how many-th of the times is kept as a sample, so that a long run need not fill the memory; the steps
             are those to all times.
         resumable: whether the trajectory keeps its ``memory``, which needs a method of equal steps, or one state that

@@ -7,7 +7,7 @@ import pytest
 
 import polhode as ph
 from polhode.analysis import lyapunov, monodromy
-from polhode.integrators import _series
+from polhode.integrators import _series_error
 from polhode.systems.variations import Variations
 from polhode.taylor import switching
 from taylor.test_coefficients import OwnField
@@ -32,7 +32,7 @@ def test_forced_steps_hide_no_growth_of_roundings(kind, step):
 
 
 def test_without_other_starts_they_do(monkeypatch):
-    monkeypatch.setattr(_series, "starts_a_rounding_away", lambda system, state: [state, state])
+    monkeypatch.setattr(_series_error, "starts_a_rounding_away", lambda system, state: [state, state])
     assert ph.simulate(WithJumps((1.0, 2.0, 3.0)), [1e-7, 2.0, 1e-8], [0.0, 60.0]).error_estimate < 1e-14
 
 

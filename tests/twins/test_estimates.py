@@ -17,7 +17,7 @@ import pytest
 import polhode as ph
 from polhode import algebra as lie
 from polhode import fields, systems
-from polhode.integrators import LieMidpoint, Splitting, Taylor, _adaptive, _series
+from polhode.integrators import LieMidpoint, Splitting, Taylor, _adaptive, _series_error
 from polhode.integrators._difference import difference
 from taylor.test_coefficients import OwnField
 
@@ -221,8 +221,8 @@ def test_without_the_more_exact_run_it_is_not(monkeypatch):
 
 def test_without_other_roundings_it_is_not(monkeypatch):
     """The control for Taylor: runs of the same order, reach and start."""
-    limits = _series.LIMITS._replace(extra_orders=0, reach_share=1.0)
+    limits = _series_error.LIMITS._replace(more_orders=0, fewer_orders=0, reach_share=1.0)
     for name, value in (("LIMITS", limits), ("starts_a_rounding_away", lambda system, state: [state] * 2)):
-        monkeypatch.setattr(_series, name, value)
+        monkeypatch.setattr(_series_error, name, value)
     with pytest.raises(AssertionError):
         judge(*errors_and_estimates(make(own_body, FEW), None, 1))

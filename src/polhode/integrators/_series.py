@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -12,7 +13,6 @@ import numpy as np
 
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators._adaptive import AdaptiveMotion, check_events
-from polhode.integrators._difference import EPS, LARGE, difference, starts_a_rounding_away
 from polhode.integrators._interrupts import keep_interrupts
 from polhode.integrators.probing import jumps_between
 from polhode.motion._outcome import Ends, Status
@@ -21,26 +21,19 @@ from polhode.taylor.advancing import LIMITS as ADVANCING
 from polhode.taylor.array_series import Place, runs_of_arrays
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.machine import build_machine, count_operations
-from polhode.taylor.runs import Precision, Runs, choose_precision, finest_tolerance, run_copies
+from polhode.taylor.runs import Precision, Runs, choose_precision, run_copies
 from polhode.types import Array, Bool, Double, Float64
 
 PRECISIONS = "double", "extended"
 
 
 class SeriesLimits(NamedTuple):
-    """Thresholds that refuse a series, choose its form, or bound its estimated error."""
+    """Thresholds that refuse a series, or choose its form."""
 
     min_order: int = 4
     max_order: int = 60
     max_operations: int = 20_000  # of the rates of change; tracing more takes longer than what it may save
     min_size: float = 1e-150  # of a state, and one over it the largest: else products of its numbers vanish or overflow
-    max_numbers_together: int = 1 << 22  # of samples, up to which runs for comparison are made side by side
-    min_compared_times: int = 64  # as two runs may meet by chance at a few samples
-    max_rounds: int = 6  # of shorter steps, until a tolerance is met
-    extra_orders: int = 4  # of the run that shows the truncation error
-    reach_share: float = 0.8  # of that run
-    error_factor: float = 4.0  # as a few other runs show most of what roundings grow to, not all
-    min_error_roundings: float = 4.0  # of the last step and of the sample itself
 
 
 LIMITS = SeriesLimits()
@@ -169,14 +162,35 @@ def solve_by_series(
         NotConverged: if it takes too many steps.
     """
     kept, longest = times[::every], math.inf if step is None else float(step)
-    batch = np.shape(state)[: np.ndim(state) - system.state_axes]
-    states = np.reshape(np.asarray(state), (-1, *np.shape(state)[len(batch) :]))
+    states, place = check_starts(system, state, times, memory)
+    precision = choose_precision(tolerance, method.order, method.is_extended)
+    with reporting(meter) as (report, _):
+        whole = goes_by_arrays(system, states)
+        runs, place = run_or_refuse(system, states, kept, times[-1], precision, longest, report, whole, place)
+    return as_motion(system, np.shape(state)[: np.ndim(state) - system.state_axes], times, kept, runs, place)
+
+
+def check_starts(
+    system: AbstractSystem, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
+    memory: Sequence[Array] | None = None,
+) -> tuple[Double[Array, "copies ..."], Place | None]:
+    """Return the starts of copies one below the other, and where the step began in which one motion is resumed.
+
+    Raises:
+        InvalidInput: for starts at an event, states of a size whose products are no numbers, or another's memory.
+    """
+    states = np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))
     check_events(system, times[0], state)
     check_sizes(states)
     jumps_between(times, system.jumps)  # refuses times that are not finite
-    precision = choose_precision(tolerance, method.order, method.is_extended)
-    place = None if memory is None else _find_place(memory, states, times[0])
-    runs, place = _run_or_refuse(system, states, kept, times[-1], precision, longest, meter, place)
+    return states, None if memory is None else _find_place(memory, states, times[0])
+
+
+def as_motion(
+    system: AbstractSystem, batch: tuple[int, ...], times: Float64[np.ndarray, "time"],
+    kept: Float64[np.ndarray, "kept"], runs: Runs, place: Place | None,
+) -> AdaptiveMotion:
+    """Return runs with samples at the kept ones of the times as a motion of a batch."""
     shaped = lambda x: x.reshape((*batch, *x.shape[1:]))  # noqa: E731
     ends = Ends(shaped(runs.status), shaped(runs.event), shaped(runs.end), shaped(runs.end_state),
                 tuple(system.events))
@@ -200,147 +214,12 @@ def solve_by_series(
     return AdaptiveMotion(times, rows, received, event, fine, steps, ends, steps_of_copies=shaped(runs.steps))
 
 
-def solve_with_error(
-    system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
-    meter: Any = None, step: float | None = None, tolerance: float | None = None, every: int = 1,
-    memory: Sequence[Array] | None = None,
-) -> tuple[AdaptiveMotion, Float64[Array, "*batch"] | None]:
-    """Return the motion, and its estimated error unless every copy failed.
-
-    Raises:
-        InvalidInput, NotConverged: as ``solve_by_series``.
-    """
-    # the times of comparison are samples of the motion already, unless an event adds a sample of its own
-    samples, parts = (times, 1) if every > 1 or system.events else _refine(times)
-    motion = solve_by_series(system, method, state, samples, meter, step, tolerance, every, memory)
-    known = bool(np.any(motion.successful))
-    error = series_error(system, method, state, samples, motion, step, tolerance) if known else None
-    if parts == 1:
-        return motion, error
-    kept = (slice(None),) * np.ndim(motion.successful) + (slice(None, None, parts),)
-    received = {name: np.array(value[kept]) for name, value in motion.received.items()}
-    # copies, as a view would keep all samples in memory
-    return motion._replace(times=np.array(times), states=np.array(motion.states[kept]), received=received), error
-
-
-def _refine(times: Float64[np.ndarray, "time"]) -> tuple[Float64[np.ndarray, "more"], int]:
-    """Return enough times for a comparison, and into how many parts each interval is divided."""
-    parts = max(1, math.ceil(LIMITS.min_compared_times / (len(times) - 1)))
-    return np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1]), parts
-
-
-def series_error(
-    system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
-    motion: AdaptiveMotion, step: float | None = None, tolerance: float | None = None,
-) -> Float64[Array, "*batch"]:
-    """Return the estimated error (batch…) of a motion, from further runs.
-
-    A run of higher order, with shorter steps, shows the truncation error of the series. Two more runs, from starts a
-    rounding away, have other roundings throughout, even where something else than the series limits the steps. The
-    largest distance from the motion to any of the three is what roundings grow to, for instance beside a saddle. All
-    three may come near the motion by chance: of 3,000 starts beside saddles one had an error of eight times the
-    estimate. They are compared at many times, which cost next to nothing.
-    """
-    fine = _refine(times)[0]
-    precision = choose_precision(tolerance, method.order, method.is_extended)
-    order, reach = precision.order + LIMITS.extra_orders, LIMITS.reach_share * precision.reach
-    better = precision._replace(order=order, reach=reach)
-    batch = np.shape(state)[: np.ndim(state) - system.state_axes]
-    longest = math.inf if step is None else float(step)
-
-    def again(starts: Sequence[Array], by: Precision, late: Sequence[float] = (0.0,)) -> list[Runs]:
-        states = np.concatenate([np.reshape(np.asarray(x), (-1, *np.shape(x)[len(batch) :])) for x in starts])
-        if len(starts) > 1 and states.size * len(fine) > LIMITS.max_numbers_together:
-            return [run for start, each in zip(starts, late, strict=True) for run in again([start], by, [each])]
-        try:
-            each = np.repeat(late, copies) if any(late) else None
-            runs = _run_or_refuse(system, states, fine, fine[-1], by, longest, None, late=each)[0]
-        except NoSeries as error:
-            if error.copies is not None:
-                error.copies = np.any(np.reshape(error.copies, (len(starts), copies)), axis=0)
-            raise
-        return [runs.part(k * copies, (k + 1) * copies) for k in range(len(starts))]
-
-    # the bits of a run depend neither on its samples nor on other copies
-    known, copies = np.array_equal(motion.times, fine), math.prod(batch)
-    first = _as_copies(motion, batch) if known else again([state], precision)[0]
-    # roundings are not those of doubles with extended precision
-    kicked = [] if method.is_extended else starts_a_rounding_away(system, state)
-    # runs from the other starts pass borders and jumps a rounding of the time too late and too early
-    others = again([state, *kicked], better, [0.0, 1.0, -1.0][: 1 + len(kicked)])
-    gaps, failed = zip(*(_apart(system, fine, first, other) for other in others), strict=True)
-    off = np.max(gaps, axis=0)
-    error = np.where(off > LARGE, off, np.maximum(LIMITS.error_factor * off, LIMITS.min_error_roundings * EPS))
-    return np.where(np.any(failed, axis=0), np.inf, error).reshape(batch)
-
-
-def series_to_tolerance(
-    system: AbstractSystem, method: Taylor, state: Double[Array, "..."], times: Float64[np.ndarray, "time"],
-    meter: Any, step: float | None, tolerance: float, every: int = 1,
-) -> tuple[AdaptiveMotion, Float64[Array, "*batch"], float]:
-    """Return a motion whose estimated error is within a tolerance, that error, and the tolerance of a step.
-
-    Raises:
-        NotConverged: if rounding alone makes more of it.
-    """
-    local, error, arguments = tolerance, np.inf, (system, method, state, times)
-    least = finest_tolerance(method.is_extended)
-    for k in range(LIMITS.max_rounds):
-        motion, errors = solve_with_error(*arguments, meter, step, local, every)
-        if errors is None:
-            return motion, np.full(motion.successful.shape, np.inf), local
-        error = float(np.max(np.where(motion.successful, errors, 0.0), initial=0.0))
-        if error <= tolerance:
-            return motion, errors, local
-        if local == least or k == LIMITS.max_rounds - 1:
-            break
-        local = max(local * min(0.1 * tolerance / error, 0.1), least)
-    raise NotConverged(
-        f"`tolerance` {tolerance:g} could not be met: the estimated error is {error:.2g}, and shorter steps do not "
-        "help, as it comes from rounding or chaos. Allow more, or shorten the time."
-    )
-
-
-class _Compared(NamedTuple):
-    """The fields of ``Runs`` that are compared."""
-
-    states: Array
-    status: Array
-    event: Array
-    end: Array
-    steps: Array
-
-
-def _as_copies(motion: AdaptiveMotion, batch: tuple[int, ...]) -> _Compared:
-    ends = motion.ends
-    assert motion.steps_of_copies is not None
-    copies = [np.reshape(x, (-1, *np.shape(x)[len(batch) :]))
-              for x in (motion.states, ends.status, ends.event, ends.time, motion.steps_of_copies)]
-    return _Compared(*copies)
-
-
-def _apart(
-    system: AbstractSystem, times: np.ndarray, one: Runs | _Compared, other: Runs
-) -> tuple[Array, Array]:
-    """Return how far runs are apart (C,) until either ends, and which of them failed."""
-    distances, whole = np.zeros(len(one.states)), np.full(len(one.states), abs(times[-1] - times[0]))
-    last = np.nanmin([np.abs(one.end - times[0]), np.abs(other.end - times[0]), whole], axis=0)
-    counts = np.maximum(np.sum(np.abs(times - times[0]) <= last[:, None] * (1.0 - 1e-9), axis=1), 1)
-    counts[(one.event == -1) & (other.event == -1)] = len(times)
-    for count in np.unique(counts):
-        some = counts == count
-        with np.errstate(invalid="ignore"):
-            distances[some] = difference(system, one.states[some, :count], other.states[some, :count])
-    failed = (one.status == Status.NOT_CONVERGED) | (other.status == Status.NOT_CONVERGED)
-    return np.nan_to_num(distances, nan=np.inf), failed
-
-
 def _by_arrays_or_tape(
     system: AbstractSystem, states: Array, times: np.ndarray, precision: Precision, longest: float,
-    check: Callable[[float], None], place: Place | None, late: Float64[np.ndarray, "copies"] | None,
+    check: Callable[[float], None], by_arrays: bool, place: Place | None, late: Float64[np.ndarray, "copies"] | None,
 ) -> tuple[Runs, Place | None]:
     """Return runs by series of whole arrays where these pay and exist, otherwise by series of single numbers."""
-    if goes_by_arrays(system, states):
+    if by_arrays:
         try:
             return runs_of_arrays(system, states, times, precision, longest, check, place)
         except Untraceable:
@@ -360,26 +239,33 @@ def _find_place(memory: Sequence[Array], states: Double[Array, "copies ..."], fi
     return Place(first - float(memory[0]), np.asarray(memory[1], states.dtype), float(memory[2]))
 
 
-def _run_or_refuse(
-    system: AbstractSystem, states: Array, times: np.ndarray, last: float, precision: Precision, longest: float,
-    meter: Any, place: Place | None = None, late: Float64[np.ndarray, "copies"] | None = None,
-) -> tuple[Runs, Place | None]:
-    """Return runs up to a last time, which need not be a sample, and where to resume; or say why there are none."""
+@contextlib.contextmanager
+def reporting(meter: Any) -> Iterator[tuple[Callable[[float], None], Callable[[], None]]]:
+    """Yield what shows the completed share of a run by a meter, if there is one, and what only lets Ctrl-C act."""
     with keep_interrupts() as check:
         shown_state = [None if meter is None else meter.init()]
 
-        def report_progress(share: float) -> None:
+        def report(share: float) -> None:
             check()
             if meter is not None:
                 shown_state[0] = meter.step(shown_state[0], jnp.asarray(share))
 
-        whole = times if times[-1] == last else np.append(times, last)
-        try:
-            runs, place = _by_arrays_or_tape(system, states, whole, precision, longest, report_progress, place, late)
-        except Untraceable as error:
-            raise _refuse(system, error, precision.extended) from None
+        yield report, check
         if meter is not None:
             meter.close(shown_state[0])
+
+
+def run_or_refuse(
+    system: AbstractSystem, states: Array, times: np.ndarray, last: float, precision: Precision, longest: float,
+    report: Callable[[float], None], by_arrays: bool, place: Place | None = None,
+    late: Float64[np.ndarray, "copies"] | None = None,
+) -> tuple[Runs, Place | None]:
+    """Return runs up to a last time, which need not be a sample, and where to resume; or say why there are none."""
+    whole = times if times[-1] == last else np.append(times, last)
+    try:
+        runs, place = _by_arrays_or_tape(system, states, whole, precision, longest, report, by_arrays, place, late)
+    except Untraceable as error:
+        raise _refuse(system, error, precision.extended) from None
     if (steps := int(runs.steps.max())) >= ADVANCING.max_steps:
         raise NotConverged(
             f"{steps:.1e} steps did not reach the last time, {last:g} s, and at most so many are taken. Give an "

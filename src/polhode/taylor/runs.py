@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -95,9 +95,15 @@ class Runs(NamedTuple):
     steps: Integer[Array, "copies"]
     balances: tuple[str, ...]
 
-    def part(self, first: int, last: int) -> Runs:
+    def part(self, some: Integer[np.ndarray, "some"]) -> Runs:
         """Return those of some copies."""
-        return Runs(*(x[first:last] for x in self[:-1]), self.balances)  # type: ignore[arg-type]
+        return Runs(*(x[some] for x in self[:-1]), balances=self.balances)  # type: ignore[misc]
+
+
+def join_runs(parts: Sequence[Runs]) -> Runs:
+    """Return runs of parts of a batch as those of the batch."""
+    columns = zip(*(part[:-1] for part in parts), strict=True)
+    return Runs(*(np.concatenate(each) for each in columns), balances=parts[0].balances)  # type: ignore[misc]
 
 
 class Plan(NamedTuple):
