@@ -37,15 +37,15 @@ def one_case(rng, longest):
 def test_what_is_said_of_the_error_holds(count, longest):
     """Within a factor of thirty of the true error, unless all is lost at a saddle.
 
-    The true error is never twice what is said, five times where both are some roundings. In one of twenty motions it is
-    much less: on the way past a saddle what a rounding can make of it has by chance not come.
+    The true error is never three times what is said, five times where both are some roundings. In one of twenty motions
+    it is much less: on the way past a saddle what a rounding can make of it has by chance not come.
     """
     rng = np.random.default_rng(5)
     errors, said = np.array([one_case(rng, longest) for _ in range(count)]).T
     known = said < 0.05
     assert known.mean() > 0.8 and (said[errors > 0.05] > 0.05 / WITHIN).all()
     ratio = errors[known] / said[known]
-    assert ratio[errors[known] > 1e-13].max(initial=0.0) < 2.0
+    assert ratio[errors[known] > 1e-13].max(initial=0.0) < 3.0
     assert ratio.max() < 5.0 and (ratio < 1.0 / WITHIN).mean() < 0.06
 
 

@@ -5,7 +5,7 @@ roundings need, it is of higher order, with shorter steps, and shows their trunc
 order. A coarse run, which costs next to nothing, shows how small errors grow. Where they do not, the distance of the
 first run is the error. Where they do, as beside a saddle or over a long time, one run may be near the motion by chance,
 and the error is the largest distance of three that are more exact: from the start, and from two that are a rounding
-away. Even all three may be near it by chance: of 3,000 starts beside saddles one had an error of eight times the
+away. Even all three may be near it by chance: of 3,000 starts beside saddles one had an error of seven times the
 estimate.
 
 Copies are moved and compared in parts of a batch, so that no more samples are in memory than the part's.
