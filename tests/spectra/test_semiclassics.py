@@ -8,7 +8,15 @@ from scipy.integrate import quad
 
 import polhode as ph
 from polhode.errors import InvalidInput
-from polhode.spectra import Rotor, doublet_splitting, semiclassical_levels, semiclassical_pairs, spin_matrices
+from polhode.spectra import (
+    Rotor,
+    doublet_splitting,
+    semiclassical_levels,
+    semiclassical_pairs,
+    semiclassics,
+    spin_matrices,
+)
+from polhode.spectra._level_polhodes import find_above, level_polhodes
 from polhode.spectra._orbits import orbit
 from polhode.spectra.semiclassics import quantise, without_casimir
 
@@ -181,3 +189,22 @@ def test_random_rotors():
 def test_what_is_refused(call, said):
     with pytest.raises(InvalidInput, match=said):
         call()
+
+
+@pytest.mark.long_after(1)
+@pytest.mark.parametrize("constants", [W, (27.0, 26.9999, 9.0), (27.0, 9.000001, 9.0), (8.35e11, 4.35e11, 2.78e11)])
+def test_levels_of_many_J_are_above_the_saddle_as_those_of_each(constants):
+    """Near the symmetric tops too, where order 2 has no room and some levels have order 1."""
+    each = [level_polhodes(constants, J).above for J in range(1, 9)]
+    searches, original = [], semiclassics.elementwise.find_root
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(semiclassics.elementwise, "find_root", lambda *given, **more: searches.append(1) or original(
+            *given, **more))  # fmt: skip
+        many = find_above(constants, 8)
+    assert many is not None and np.array_equal(many, np.concatenate(each))
+    assert len(searches) == 3  # order 1 of the lowest J, orders 1 and 2 of all others
+
+
+@pytest.mark.parametrize("constants", [(27.0, 9.0, 9.0), (27.0, 27.0, 9.0), (math.inf, 9.0, 9.0)])
+def test_symmetric_and_linear_molecules_have_no_saddle(constants):
+    assert find_above(constants, 3) is None

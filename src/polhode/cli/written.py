@@ -145,7 +145,8 @@ def write_again(asked: Asked, folder: Path) -> Written | None:
         for name, size in head["files"].items():
             (draft / name).write_bytes(packed[begin : begin + size])
             begin += size
-    return Written(ReportInWords(head["report"]), list(head["files"]), head["following"])
+    following = [(command, gives) for command, gives in head["following"]]
+    return Written(ReportInWords(head["report"]), list(head["files"]), following)
 
 
 def _version(name: str) -> str:
@@ -178,7 +179,7 @@ def _table_in_words(table: Table) -> dict[str, Any]:
     return {"title": table.title, "columns": list(table.columns), "proofs": list(table.proofs), "cells": whole.cells}
 
 
-def _read_group(title: str, lines: Sequence[tuple[str, str]]) -> Group:
+def _read_group(title: str, lines: Sequence[Sequence[str]]) -> Group:
     return Group(title, [Answer("", words, label=label, text=words) for label, words in lines])
 
 

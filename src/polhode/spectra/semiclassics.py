@@ -238,7 +238,7 @@ def phase(
     return tuple((1.0 - share) * one + share * other for one, other in zip(*sides, strict=True))  # type: ignore[return-value]
 
 
-def _second(constants: Three, G: float, energy: Array) -> tuple[Array, Array]:
+def _second(constants: Three, G: float | Array, energy: Array) -> tuple[Array, Array]:
     at = orbit(constants, G, energy)
     first, second = -at.barrier / math.pi, -at.barrier_correction / math.pi
     epsilon = first + second
