@@ -157,7 +157,7 @@ def _cones(
 
 
 def _angles_without_period(
-    moments: Float64[np.ndarray, "3"], momentum: Float64[np.ndarray, "3"], regime: str
+    moments: Float64[Array, "3"], momentum: Float64[Array, "3"], regime: str
 ) -> Float64[np.ndarray, "3 2"]:
     """Return the angles where L is fixed in the body, or goes once from one end of the middle axis to the other."""
     scaled = momentum / np.abs(momentum).max()

@@ -71,10 +71,10 @@ def top_velocity(
 
 
 def euler_velocity(
-    axis: Float64[np.ndarray, "3"], attitude: Float64[np.ndarray, "*#batch 4"],
+    axis: Float64[Array, "3"], attitude: Float64[Array, "*#batch 4"],
     spin_rate: Float64[ArrayOrFloat, "*#batch"], precession_rate: Float64[ArrayOrFloat, "*#batch"],
     nutation_rate: Float64[ArrayOrFloat, "*#batch"],
-) -> Float64[np.ndarray, "*batch 3"]:
+) -> Float64[Array, "*batch 3"]:
     """Return angular velocities (…, 3) as ``top_velocity`` does, of one axis at many attitudes of unit length."""
     column = lambda rate: np.asarray(rate)[..., None]  # noqa: E731
     in_space = column(precession_rate) * UP
@@ -87,10 +87,10 @@ def euler_velocity(
     return rotation.rotate(rotation.conjugate(attitude), in_space) + column(spin_rate) * axis
 
 
-def lean_sine(axis: Float64[np.ndarray, "*batch 3"]) -> Float64[np.ndarray, "*batch"]:
+def lean_sine(axis: Float64[Array, "*batch 3"]) -> Float64[np.ndarray, "*batch"]:
     """Return the sine (…) of the angle of unit vectors (…, 3) from the vertical."""
     # one by one, as NumPy's hypot may differ in its last digit
-    return np.reshape([math.hypot(x, y) for x, y in axis[..., :2].reshape(-1, 2).tolist()], axis.shape[:-1])
+    return np.reshape([math.hypot(x, y) for x, y in np.asarray(axis)[..., :2].reshape(-1, 2).tolist()], axis.shape[:-1])
 
 
 @known_numbers_only

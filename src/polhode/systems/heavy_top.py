@@ -253,7 +253,7 @@ class HeavyTop(AbstractLiePoissonSystem):
 
 def lean_from_upright(
     axes: Float64[np.ndarray, "3 3"], axis: Float64[np.ndarray, "3"], angle: Float64[ArrayOrFloat, "*batch"]
-) -> Float64[np.ndarray, "*batch 4"]:
+) -> Float64[Array, "*batch 4"]:
     """Return attitudes (…, 4) as ``HeavyTop.leaning`` does, of one top by many angles (…) [rad] from 0 to π."""
     upright = rotation.shortest_between(axes @ axis, (0.0, 0.0, 1.0))
     # one by one, as NumPy's cosine of an array may differ in its last digit
