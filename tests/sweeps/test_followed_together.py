@@ -6,7 +6,8 @@ import pytest
 from polhode.errors import NotConverged
 from polhode.kinds import stepping
 from polhode.reports.answer import plain
-from polhode.sweeps.evaluation import Evaluator, _pick
+from polhode.sweeps.columns import pick
+from polhode.sweeps.evaluation import Evaluator
 from polhode.sweeps.plan import read_plan
 
 TIME = '[time]\nuntil = "3 s"\nsamples = 40\n'
@@ -52,7 +53,7 @@ def agree(found):
     for k in range(count):
         alone = plain(found.make_spec(inputs, k).report().values())
         for name in found.plan.outputs:
-            value = _pick(alone, name)
+            value = pick(alone, name)
             if isinstance(value, bool):
                 value = "yes" if value else "no"
             value = np.nan if value is None else value

@@ -149,11 +149,11 @@ def test_a_grid_may_begin_where_no_body_is(tmp_path):
 
 
 def test_yes_and_no_are_words(tmp_path):
-    from polhode.sweeps.evaluation import Column, _answer_column, _fit_to_column
+    from polhode.sweeps.columns import Column, answer_column, fit_to_column
 
-    column = _answer_column("certain", {"certain": True}, {})
+    column = answer_column("certain", {"certain": True}, {})
     assert column == Column("certain", text=True)
-    assert [_fit_to_column(column, value) for value in (True, False)] == ["yes", "no"]
+    assert [fit_to_column(column, value) for value in (True, False)] == ["yes", "no"]
 
 
 TOP = """

@@ -7,7 +7,7 @@ import pytest
 
 from polhode.errors import InvalidInput
 from polhode.spec.keys import Number
-from polhode.sweeps import answers, distributions, evaluation, plan, running, store
+from polhode.sweeps import answers, columns, distributions, plan, running, store
 from polhode.sweeps.plan import SweepTable
 
 TABLE = {"inputs": {"spin.rate": 1}, "outputs": ["energy"]}
@@ -63,14 +63,14 @@ def test_a_store_needs_more_room_than_its_size(tmp_path, monkeypatch):
 
 
 def test_words_are_outputs_and_sentences_are_not():
-    most = evaluation.LIMITS.max_word
-    column = evaluation.Column("regime", text=True)
-    assert evaluation._fit_to_column(column, "w" * most) == "w" * most
+    most = columns.LIMITS.max_word
+    column = columns.Column("regime", text=True)
+    assert columns.fit_to_column(column, "w" * most) == "w" * most
     with pytest.raises(InvalidInput, match="of another form"):
-        evaluation._fit_to_column(column, "w" * (most + 1))
-    assert evaluation._answer_column("regime", {"regime": "w" * most}, {}).text
+        columns.fit_to_column(column, "w" * (most + 1))
+    assert columns.answer_column("regime", {"regime": "w" * most}, {}).text
     with pytest.raises(InvalidInput, match="is a sentence"):
-        evaluation._answer_column("regime", {"regime": "w" * (most + 1)}, {})
+        columns.answer_column("regime", {"regime": "w" * (most + 1)}, {})
 
 
 def test_quantiles_are_of_all_values_up_to_a_number_of_samples(monkeypatch, any_type):
@@ -81,5 +81,5 @@ def test_quantiles_are_of_all_values_up_to_a_number_of_samples(monkeypatch, any_
         report = SimpleNamespace(sweep=SimpleNamespace(plan=SimpleNamespace(keep="all", design=design)),
                                  store=SimpleNamespace(read=lambda name: values))  # fmt: skip
         one = SimpleNamespace(count=10, quantiles=lambda levels: ["of knots"])
-        exact = answers.SweepReport._quantiles(report, evaluation.Column("energy"), 0, one)
+        exact = answers.SweepReport._quantiles(report, columns.Column("energy"), 0, one)
         assert (exact == ["of knots"]) == (most < 10)

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import abc
 import re
-import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property, partial
-from importlib import import_module, resources
-from importlib.resources.abc import Traversable
-from importlib.util import find_spec
+from functools import cached_property, partial
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, TypeVar
 
@@ -24,6 +21,7 @@ from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.formats.labels import AttitudeLabels
 from polhode.kinds.added_figures import figures_of
+from polhode.kinds.folder import InFolder
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table
 from polhode.reports.base import MotionReport, SystemReport
@@ -85,7 +83,7 @@ Overview = Sequence["tuple[Callable[..., Figure | None], int]"]
 TableT = TypeVar("TableT", bound=SystemTable)
 
 
-class AbstractKind(abc.ABC, Generic[TableT]):
+class AbstractKind(InFolder, abc.ABC, Generic[TableT]):
     """A kind of motion that a spec can name as ``[system] kind``.
 
     A folder of ``polhode.kinds``, or a module that a wing names under [kinds] of its ``plugin.toml``, or another
@@ -303,32 +301,6 @@ class AbstractKind(abc.ABC, Generic[TableT]):
             return replace(choose_content(trajectory.source, samples, surface, trajectory.frame), model=model)
         return PageContent(panels, self._scripts(), model, **panel.plots(trajectory, samples))
 
-    def _find(self, file: str, name: str) -> Any:
-        """Return the object of a name in a file of the kind's folder, or of a base kind's folder; else None."""
-        for kind in type(self).__mro__[: -len(AbstractKind.__mro__)]:
-            module = f"{getattr(sys.modules.get(kind.__module__), '__package__', None) or kind.__module__}.{file}"
-            if _is_there(module) and (thing := getattr(import_module(module), name, None)) is not None:
-                return thing
-        return None
-
-    def _call(self, file: str, name: str, *args: Any, otherwise: Any = None) -> Any:
-        """Return the result of such a function; ``otherwise`` where there is none."""
-        function = self._find(file, name)
-        return otherwise if function is None else function(*args)
-
-    def _scripts(self) -> tuple[str, ...]:
-        drawn = self._folder / "panel.js"
-        return (drawn.read_text("utf-8"),) if drawn.is_file() else ()
-
-    def _file(self, name: str) -> str:
-        return (self._folder / name).read_text("utf-8")
-
-    @property
-    def _folder(self) -> Traversable:
-        """The folder of the module that has the kind, or that is the kind's package."""
-        module = type(self).__module__
-        return resources.files(import_module(module).__package__ or module)
-
     def surface(self, spec: Spec) -> Surface | None:
         """Return the body's surface, in the given axes; None where only moments are known.
 
@@ -340,14 +312,6 @@ class AbstractKind(abc.ABC, Generic[TableT]):
         from polhode.spec.surfaces import surface_of_body
 
         return surface_of_body(spec.source, spec.folder)
-
-
-@cache
-def _is_there(module: str) -> bool:
-    try:
-        return find_spec(module) is not None
-    except ModuleNotFoundError:  # a kind in a single module has no folder
-        return False
 
 
 def _kind_in(module: str) -> AbstractKind:

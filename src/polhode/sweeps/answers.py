@@ -19,7 +19,8 @@ from polhode.kinds.registry import find_kind
 from polhode.reports.answer import Answer, Group, Table
 from polhode.reports.report import StudyReport
 from polhode.reports.wording import uncertain
-from polhode.sweeps.evaluation import DONE, STATUS, Column
+from polhode.sweeps.columns import Column
+from polhode.sweeps.evaluation import DONE, STATUS
 from polhode.sweeps.marks import Mark
 from polhode.sweeps.plan import read_plan
 from polhode.sweeps.running import Sweep

@@ -9,8 +9,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from polhode.figures import style
+from polhode.sweeps.columns import Column
 from polhode.sweeps.distributions import Grid
-from polhode.sweeps.evaluation import DONE, LOST, REFUSED, STATUS, Column
+from polhode.sweeps.evaluation import DONE, LOST, REFUSED, STATUS
 from polhode.sweeps.summary import Numbers
 
 if TYPE_CHECKING:

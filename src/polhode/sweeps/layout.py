@@ -16,7 +16,7 @@ import numpy as np
 
 from polhode._base.extras import needing
 from polhode.formats.zarr_gate import OF_A_SWEEP
-from polhode.sweeps.evaluation import Column
+from polhode.sweeps.columns import Column
 
 HOME, PLAN, CHUNKS, LOCK = OF_A_SWEEP, "plan.json", "chunks", "lock"
 FORMAT, EARLIER_FORMATS = 3, (1, 2)

@@ -15,7 +15,8 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from polhode._base.seals import seal, unseal
-from polhode.sweeps.evaluation import Chunk, Column
+from polhode.sweeps.columns import Column
+from polhode.sweeps.evaluation import Chunk
 from polhode.sweeps.layout import Layout
 from polhode.sweeps.summary import KNOTS, Numbers, Summary, summarise
 

@@ -24,7 +24,8 @@ from polhode._base.plugins.program import program_digest, program_parts
 from polhode.errors import InvalidInput, PolhodeError
 from polhode.formats.opening import record_files
 from polhode.formats.paths import FULL
-from polhode.sweeps.evaluation import STATUS, Column, Evaluator
+from polhode.sweeps.columns import Column
+from polhode.sweeps.evaluation import STATUS, Evaluator
 from polhode.sweeps.layout import Layout
 from polhode.sweeps.plan import Plan
 from polhode.sweeps.store import Store, check_room, compute_size

@@ -25,7 +25,8 @@ from polhode.errors import FormatError, InvalidInput, one_line, shown
 from polhode.formats.drafts import sync_to_disk
 from polhode.formats.opening import MB, read_file
 from polhode.formats.paths import write_whole
-from polhode.sweeps.evaluation import Chunk, Column
+from polhode.sweeps.columns import Column
+from polhode.sweeps.evaluation import Chunk
 from polhode.sweeps.layout import CHUNKS, EARLIER_FORMATS, FORMAT, HOME, LOCK, PLAN, Layout, import_zarr
 from polhode.sweeps.marks import Mark, hash_array, pack_mark, read_mark
 from polhode.sweeps.store_checks import AGAIN, check_file, check_folder, says, unpack_chunk

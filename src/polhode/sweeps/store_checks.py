@@ -14,7 +14,7 @@ import numpy as np
 from polhode.errors import FormatError, InvalidInput, shown
 from polhode.formats.opening import MB, read_file
 from polhode.formats.zarr_gate import CODECS
-from polhode.sweeps.evaluation import Column
+from polhode.sweeps.columns import Column
 from polhode.sweeps.layout import COMPRESSOR
 
 AGAIN = "Run the sweep again; what is damaged is computed again."
