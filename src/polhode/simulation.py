@@ -94,7 +94,7 @@ def simulate(
         estimate_error: whether to run again and say by ``error_estimate`` how far the motion is from the true one. Our
             methods are run with other steps, and twice from starts a rounding away, which near a saddle grows to most
             of the error: this costs one and a half times the first run, four times where samples are a step apart; by
-            series about as much as the first run, and five times as much where errors grow. Adaptive steps are run with
+            series about one and a half times too, and several times where errors grow. Adaptive steps are run with
             another tolerance. Pulses shorter than 1/131072 of the time need ``jumps``.
         save: every how many-th of the times is kept as a sample, so that a long run need not fill the memory; the steps
             are those to all times.
