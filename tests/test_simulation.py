@@ -211,7 +211,7 @@ def test_derivatives_of_simulate_by_what_a_function_encloses_say_so():
         system = systems.LiePoisson(lie.SO3(), lambda L: rate * L[2] ** 2 + L[0] ** 2)
         return ph.simulate(system, MOMENTUM, TIMES).states[-1, 0]
 
-    with pytest.raises(InvalidInput, match="given to `simulate` must not enclose a number that JAX traces"):
+    with pytest.raises(InvalidInput, match="the arguments of `simulate` must be known numbers, not traced by JAX"):
         jnp.asarray(jax.grad(last)(0.7))
 
 

@@ -136,6 +136,11 @@ NO_ARRAYS = {
 }  # fmt: skip
 """Functions of objects, words and whole numbers, and records of known answers."""
 CALLED_BY_OTHERS = {
+    "analysis.cone.many_axis_angles", "analysis.cone.many_velocity_angles", "analysis.free_axes.leaving_rates",
+    "analysis.poinsot.herpolhodes", "analysis.top_start.euler_velocity", "analysis.top_start.lean_sine",
+    "exact.lagrange_top.steady_precession.precession_roots",
+    "exact.lagrange_top.steady_precession.sleeping_thresholds", "spectra.semiclassics.are_above",
+    "systems.heavy_top.lean_from_upright",
     "measuring.throws.gyro_log.check_sizes", "algebra.base.HashableModule", "algebra.casimirs.check_monomials",
     "algebra.casimirs.rational_brackets", "algebra.casimirs.invariant_polynomials", "algebra.constants.check_constants",
     "algebra.matrix.adjoint", "algebra.matrix.traceless", "algebra.matrix.check_size",

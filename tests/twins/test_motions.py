@@ -10,7 +10,7 @@ import polhode.exact
 import polhode.rotation
 from oracle.lagrange import reference_top
 from polhode._base.arrays.elementwise import WAYS
-from polhode.exact._closed_form import COMPILING, Kernels
+from polhode.exact._closed_form import COMPILING, Compiled, Kernels
 from reference.solvers import REFERENCE, ROOT
 from twins.families import BODIES, KINDS, TOPS
 from twins.motions import (
@@ -165,7 +165,8 @@ def test_every_engine_of_python_has_a_row():
     packages = {module.name for module in pkgutil.iter_modules(polhode.exact.__path__) if module.ispkg}
     assert packages == set(EXACT.values()) and set(EXACT) == set(KINDS)
     entries = {name for row in IMPLEMENTATIONS.values() for name in row.kernels}
-    assert entries == set(COMPILING) | {"set_up_one", "state_at"} == set(Kernels._fields) - {"unflatten"}
+    functions = {*Kernels._fields, *Compiled._fields} - {"unflatten"}
+    assert entries == set(COMPILING) | {"set_up_one", "state_at"} == functions
 
 
 @pytest.mark.parametrize(("page", "words"), [

@@ -5,12 +5,11 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from polhode.errors import InvalidInput, NotConverged
-from polhode.kinds.base import Spec
 from polhode.motion._trajectory import Trajectory
 from polhode.reports.base import SystemReport
 from polhode.reports.length import Watch
@@ -18,6 +17,9 @@ from polhode.simulation import simulate
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.structure import take_structure
 from polhode.types import Array, Double, Float64
+
+if TYPE_CHECKING:
+    from polhode.kinds.base import Spec
 
 
 class SteppingLimits(NamedTuple):

@@ -13,7 +13,7 @@ from numba import njit, typeof
 from numba.core import event
 from numba.core.caching import IndexDataCacheFile
 
-from polhode._base.compiled.entries import LIMITS, alone
+from polhode._base.compiled.waiting import LIMITS, alone
 from polhode._base.seals import read_sealed, write_sealed
 
 _TAKE: Any = njit  # whose types do not know all of its options

@@ -7,15 +7,16 @@ import pickle
 import struct
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
 from threading import Lock
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from polhode._base.compiled.images import CannotLink, Image, load, processors
+from polhode._base.compiled.waiting import LIMITS, alone
 from polhode._base.seals import read_sealed, write_sealed
 
 ENDING = ".kernel"
@@ -23,14 +24,6 @@ IN_ORDER, TO_BE_WRITTEN = 0x101, 0x400  # flags of arrays of NumPy: in the order
 SHIPPED = Path(__file__).parent / "shipped"  # images for classes of processors, where a release has them
 
 
-class EntryLimits(NamedTuple):
-    """Numbers that decide how long another process is waited for, and which files are read."""
-
-    max_wait: float = 600.0  # s that another process may take to compile
-    max_bytes: int = 100_000_000  # of an image, of which the largest has some hundred thousand
-
-
-LIMITS = EntryLimits()
 Run = tuple[Callable[[bytes], int], struct.Struct]
 
 
@@ -111,24 +104,6 @@ class Entry:
             return load(image)
         except (CannotLink, OSError, AttributeError):
             return None
-
-
-@contextmanager
-def alone(path: Path, max_wait: float) -> Iterator[None]:
-    """Have one process do something, while others wait for so long [s], where files can be locked."""
-    try:
-        from filelock import FileLock
-
-        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        lock = FileLock(path, timeout=max_wait)
-        lock.acquire()
-    except (ImportError, OSError, NotImplementedError):  # not there, read-only, without locks, held for too long
-        yield
-        return
-    try:
-        yield
-    finally:
-        lock.release()
 
 
 def find_place(module: Path) -> Path:

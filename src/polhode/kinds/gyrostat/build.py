@@ -13,7 +13,7 @@ from polhode.kinds.gyrostat.table import GyrostatTable
 from polhode.systems.base import AbstractSystem
 from polhode.systems.body_with_rotor import RotorInBody, find_direction, rotor_in_body, rotor_misfit
 from polhode.systems.gyrostat import TorquedGyrostat
-from polhode.types import Array
+from polhode.types import Array, Float64
 
 
 def build(spec: Spec[GyrostatTable]) -> RotorInBody:
@@ -34,7 +34,7 @@ def build(spec: Spec[GyrostatTable]) -> RotorInBody:
     )
 
 
-def system_and_state(table: GyrostatTable, assembly: RotorInBody) -> tuple[AbstractSystem, Array]:
+def system_and_state(table: GyrostatTable, assembly: RotorInBody) -> tuple[AbstractSystem, Float64[Array, "state"]]:
     """Return what moves, and its state at the start."""
     state = np.concatenate([assembly.attitude, assembly.total])
     if table.motor_torque is None:
