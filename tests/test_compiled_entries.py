@@ -13,6 +13,7 @@ from llvmlite import binding, ir
 from polhode._base.compiled import entries, images, objects
 from polhode._base.compiled.compiling import CompiledFunction
 from polhode._base.compiled.entries import ENDING, Entry
+from polhode._base.compiled.kernel_modules import can_compile
 from polhode._base.seals import read_sealed, write_sealed
 
 pytestmark = pytest.mark.skipif(not images.has_images(), reason="images are for Linux on x86-64")
@@ -155,7 +156,7 @@ def test_where_no_image_can_be_made_or_run_numba_does_it(given, monkeypatch, tmp
             patch.setattr(module, name, wrong)
             function = entry(tmp_path / name, patch)
             check(function, given)
-            assert function._numba is not None and not function._runs
+            assert function._without is not None and not function._runs
 
 
 def test_each_form_of_arguments_has_an_image_of_its_own(given, compiled, monkeypatch, tmp_path):
@@ -267,3 +268,102 @@ def test_the_first_call_of_a_process_loads_what_is_on_the_disk(tmp_path):
         said.append(subprocess.run(command, env=environment, check=True, capture_output=True, text=True).stdout)
     wanted = [("set_up_free_body", True), ("states_of_many_free_body", True)]
     assert said[1].startswith(f"{wanted} False False") and said[1].split()[-1] == said[0].split()[-1]
+
+
+DIGESTS = """
+from polhode.exact.free_body._evaluation import FORM
+from polhode.taylor import kernels
+print(FORM._modules.kept_name, *(kernels._modules(width).kept_name for width in kernels.MODULES))
+"""
+
+
+def test_digests_are_the_same_in_every_process():
+    """Sets have another order in each."""
+    found = {subprocess.run([sys.executable, "-c", DIGESTS], env=os.environ | {"PYTHONHASHSEED": seed}, check=True,
+                            capture_output=True, text=True).stdout for seed in "012"}  # fmt: skip
+    assert len(found) == 1 and len(found.pop().split()) == 4
+
+
+@pytest.fixture
+def processors_anew():
+    yield images.processors.cache_clear()
+    images.processors.cache_clear()
+
+
+@pytest.mark.parametrize("name", images.SETTINGS)
+def test_what_is_set_for_the_compiler_is_in_the_name(name, monkeypatch, processors_anew):
+    own, *classes = images.processors()
+    images.processors.cache_clear()
+    monkeypatch.setenv(name, "1")
+    assert images.processors()[0] != own and images.processors()[1:] == tuple(classes)
+
+
+def test_so_are_the_versions_of_the_compilers(monkeypatch, processors_anew):
+    own = images.processors()[0]
+    images.processors.cache_clear()
+    monkeypatch.setattr(images, "version", lambda package: "0.1")
+    assert images.processors()[0] != own
+
+
+@pytest.mark.parametrize("way", ["damaged", "no code may run"])
+def test_without_numba_what_cannot_run_is_as_if_it_were_not_there(given, monkeypatch, tmp_path, way):
+    check(entry(tmp_path, monkeypatch), given)
+    if way == "damaged":
+        damage(files(tmp_path)[0], monkeypatch)
+    else:
+        monkeypatch.setattr(entries, "load", refuse)
+    bare = Entry("add_up_1234", "sums", tmp_path / "module.py", lambda: add_up, compiles=False)
+    assert not bare.is_on_disk()
+    check(bare, given)
+
+
+def refuse(image):
+    raise OSError("memory cannot be made executable")
+
+
+def test_tuples_of_other_parts_are_other_forms(monkeypatch, tmp_path):
+    def lengths(one, other, out):
+        out[0], out[1] = len(one), len(other)
+
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    function = Entry("lengths_1", "lengths", tmp_path / "m.py", lambda: CompiledFunction("lengths", lengths))
+    for one, other in (((1.0, 2.0), (3.0,)), ((1.0,), (2.0, 3.0))):
+        found = np.zeros(2)
+        function(one, other, found)
+        assert found.tolist() == [len(one), len(other)]
+
+
+def test_other_numbers_and_arrays_are_refused_by_name(given, monkeypatch, tmp_path):
+    function, (pair, scale, places) = entry(tmp_path, monkeypatch), given
+    with pytest.raises(TypeError, match=r"whole numbers and tuples of these; got .*0\.5"):
+        function(pair, np.float32(0.5), places, np.zeros((2, 3)))
+    with pytest.raises(TypeError, match=r"shape \(2, 3\) with strides .*ascontiguousarray"):
+        function(pair, scale, places, np.zeros((3, 2)).T)
+
+
+def test_old_images_go(given, monkeypatch, tmp_path):
+    monkeypatch.setattr(entries, "LIMITS", entries.LIMITS._replace(max_images=2))
+    for digest in ("a", "b", "c"):
+        check(entry(tmp_path, monkeypatch, f"add_up_{digest}"), given)
+    assert len(files(tmp_path)) == 2
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
+def test_a_forked_process_does_not_wait_for_a_thread_that_it_does_not_have(given, monkeypatch, tmp_path):
+    function = entry(tmp_path, monkeypatch)
+    with function._lock:  # as while a thread compiles
+        child = os.fork()
+        if not child:
+            os._exit(function._lock.locked())
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+
+
+def test_nothing_compiled_runs_where_that_is_switched_off(monkeypatch):
+    images.has_images.cache_clear()
+    monkeypatch.setenv("NUMBA_DISABLE_JIT", "1")
+    assert not images.has_images() and not can_compile()
+    monkeypatch.setattr(images, "read_processor", dict)
+    monkeypatch.setenv("NUMBA_DISABLE_JIT", "0")
+    images.has_images.cache_clear()
+    assert not images.has_images() and can_compile()
+    images.has_images.cache_clear()

@@ -1,4 +1,4 @@
-"""Runs a closed form's kernels, by Python for little work and compiled for much, always to the same bits.
+"""Runs a closed form's kernels, by Python for little work and compiled for much, to the same bits.
 
 For one body at a few times, neither loading nor compiling is worth it. Where nothing is compiled and Numba is not
 installed, NumPy takes much work, by the array forms that JAX traces too, whose last bits are others.

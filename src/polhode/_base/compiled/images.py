@@ -10,12 +10,14 @@ from __future__ import annotations
 
 import ctypes
 import mmap
+import os
 import platform
 import struct
 import sys
 from collections.abc import Callable
 from functools import cache
 from hashlib import sha256
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -33,6 +35,8 @@ WRITABLE, LOADED_WITH = 1, 2  # flags of a section
 PLAIN, ZEROS, RELOCATIONS, SYMBOLS = 1, 8, 4, 2  # kinds of one
 ABSOLUTE, RELATIVE = 1, 24  # kinds of an address: from zero, and from its own place
 LINES = ("vendor_id", "cpu family", "model", "flags")  # by which LLVM knows a processor
+SETTINGS = "NUMBA_CPU_NAME", "NUMBA_CPU_FEATURES", "NUMBA_OPT", "NUMBA_BOUNDSCHECK"  # which change its machine code
+COMPILERS = "numba", "llvmlite"  # another version of which may make other code of the same source
 LEVELS = {
     "x86-64-v4": {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"},
     "x86-64-v3": {"avx", "avx2", "bmi1", "bmi2", "f16c", "fma", "abm", "movbe"},
@@ -79,19 +83,38 @@ def has_images() -> bool:
     """Return whether this process can run images."""
     head = 16  # bytes of an object, which are more with Py_TRACE_REFS and where there is no lock: see ``objects``
     is_this_python = sys.implementation.name == "cpython" and object.__basicsize__ == head
-    return sys.platform == "linux" and platform.machine() == "x86_64" and is_this_python
+    if sys.platform != "linux" or platform.machine() != "x86_64" or not is_this_python or is_switched_off():
+        return False
+    try:
+        return bool(read_processor())
+    except OSError:  # as in a container without /proc
+        return False
+
+
+def is_switched_off() -> bool:
+    """Return whether nothing compiled is to run, as Numba takes the setting."""
+    return os.environ.get("NUMBA_DISABLE_JIT", "0") not in ("", "0")
 
 
 @cache
 def processors() -> tuple[str, ...]:
-    """Return names of this processor under which images for it are kept: its own, then its classes, the best first."""
+    """Return names under which images are kept: this processor's and compiler's own, then classes, the best first."""
     read = read_processor()
-    own = sha256(repr([read.get(key) for key in LINES]).encode()).hexdigest()[:8]
+    settings = [os.environ.get(name) for name in SETTINGS]
+    facts = [read.get(key) for key in LINES], settings, [_version(name) for name in COMPILERS]
+    own = sha256(repr(facts).encode()).hexdigest()[:8]
     flags, needed, classes = set(read.get("flags", "").split()), set[str](), list[str]()
     for level in reversed(LEVELS):
         needed |= LEVELS[level]
         classes = [level, *classes] if needed <= flags else classes
     return own, *classes
+
+
+def _version(package: str) -> str | None:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return None
 
 
 def read_processor() -> dict[str, str]:

@@ -1,4 +1,4 @@
-"""The digest of everything that is compiled into a function, by which Numba keeps it on disk.
+"""The digest of the sources of everything that is compiled into a function, by which it is kept on disk.
 
 Numba looks at the file of one function alone for changes. But with it are compiled all functions that it calls, and the
 values of constants, wherever they are written: numbers of operations, lengths of tables. Other sources of polhode do
@@ -41,7 +41,7 @@ def digest_compiled(modules: Iterable[ModuleType], files: Iterable[str] = ()) ->
         for used in sorted(set(_names(module))):
             value = vars(module).get(used)
             if isinstance(value, CONSTANTS):
-                digest.update(f"{used} = ".encode() + repr(value).encode())
+                digest.update(f"{used} = ".encode() + _as_text(value).encode())
             elif isinstance(value, np.ndarray):
                 digest.update(f"{used} = {value.dtype} {value.shape}\n".encode())
                 digest.update(np.ascontiguousarray(value).tobytes())
@@ -49,6 +49,14 @@ def digest_compiled(modules: Iterable[ModuleType], files: Iterable[str] = ()) ->
                 home = value.__name__ if isinstance(value, ModuleType) else getattr(value, "__module__", None)
                 waiting += [home] if isinstance(home, str) else []
     return digest.hexdigest()[:16]
+
+
+def _as_text(value: Any) -> str:
+    """Return a constant as text that is the same in every process: sets have another order in each."""
+    if isinstance(value, frozenset | tuple):
+        parts = map(_as_text, value)
+        return f"{type(value).__name__}({', '.join(sorted(parts) if isinstance(value, frozenset) else parts)})"
+    return repr(value)
 
 
 def _names(module: ModuleType) -> Iterator[str]:

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 from polhode._base.compiled.copying import NOTHING, Space, copy_modules
 from polhode._base.compiled.entries import Entry
-from polhode._base.compiled.images import has_images
+from polhode._base.compiled.images import has_images, is_switched_off
 from polhode._base.extras import is_there
 
 
@@ -32,8 +32,8 @@ LOADING = LoadingTimes()
 
 
 def can_compile() -> bool:
-    """Return whether Numba is installed, without which no kernel is compiled."""
-    return is_there("numba") and is_there("llvmlite")
+    """Return whether Numba is installed and may compile, without which no kernel is compiled."""
+    return is_there("numba") and is_there("llvmlite") and not is_switched_off()
 
 
 def loading_time() -> float:
@@ -87,14 +87,15 @@ class KernelModules:
     def entry(self, name: str) -> Any:
         """Return a function that is compiled, or loaded from the disk, when it is first called."""
         (module,) = (module for module in self.modules if _has_entry(module, name))
-        by_numba = lambda: self.by_numba[module.__name__][name]  # noqa: E731
         if not has_images():
-            return by_numba()
-        return Entry(f"{name}_{self.kept_name}", self.what, Path(str(module.__file__)), by_numba)
+            return self.by_numba[module.__name__][name]
+        compiles = can_compile()
+        written = lambda: (self.by_numba if compiles else self.by_python())[module.__name__][name]  # noqa: E731
+        return Entry(f"{name}_{self.kept_name}", self.what, Path(str(module.__file__)), written, compiles)
 
     @cached_property
     def kept_name(self) -> str:
-        """The end of the names under which Numba keeps its functions, with the digest of their sources."""
+        """The end of the names under which its functions are kept, with the digest of their sources."""
         from polhode._base.compiled.kept import digest_compiled
 
         specs = [find_spec(name) for name in self._from]  # without loading Numba

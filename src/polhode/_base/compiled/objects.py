@@ -44,7 +44,7 @@ def _parse(module: Any) -> Any:
 
 
 def _write_entry(target: Any, named: Any, name: str) -> Any:
-    """Return a module with a function that is given a row of words: see ``entries.flatten``."""
+    """Return a module with a function that is given a row of words: see ``entries``."""
     module = ir.Module(f"{name}.entry")
     module.triple, module.data_layout = target.codegen()._llvm_module.triple, target.codegen()._data_layout
     function = ir.Function(module, ir.FunctionType(ir.IntType(32), [WORD.as_pointer()]), ENTRY)

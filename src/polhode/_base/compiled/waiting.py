@@ -9,10 +9,11 @@ from typing import NamedTuple
 
 
 class EntryLimits(NamedTuple):
-    """Numbers that decide how long another process is waited for, and which files are read."""
+    """Numbers that decide how long another process is waited for, and which files are read and stay."""
 
     max_wait: float = 600.0  # s that another process may take to compile
     max_bytes: int = 100_000_000  # of an image, of which the largest has some hundred thousand
+    max_images: int = 24  # of one function: those of some processors, forms of arguments and earlier versions
 
 
 LIMITS = EntryLimits()
