@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from llvmlite import binding, ir
 
-from polhode._base.compiled import entries, images, objects
+from polhode._base.compiled import entries, images, linking, objects
 from polhode._base.compiled.compiling import CompiledFunction
 from polhode._base.compiled.entries import ENDING, Entry
 from polhode._base.compiled.kernel_modules import can_compile
@@ -213,7 +213,7 @@ def keep(module, builder, place):
 
 
 def test_a_function_of_libm_is_called():
-    image, number = images.link(build(call("sinh")), "run"), np.array([0.7])
+    image, number = linking.link(build(call("sinh")), "run"), np.array([0.7])
     with_address = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
     function = images.load(image)
     assert ctypes.cast(function, with_address)(number.ctypes.data) == 0
@@ -226,7 +226,7 @@ def test_a_function_of_libm_is_called():
 ])  # fmt: skip
 def test_what_needs_more_than_libm_or_keeps_something_is_refused(built, why):
     with pytest.raises(images.CannotLink, match=why):
-        images.link(built, "run")
+        linking.link(built, "run")
 
 
 def test_names_of_processors(monkeypatch, tmp_path):

@@ -1,6 +1,7 @@
 """Long work says so by one line on standard error, on a terminal or not; short work says nothing."""
 
 import threading
+import time
 
 import diffrax
 import numpy as np
@@ -29,7 +30,7 @@ def all_work_is_long(monkeypatch):
 def test_a_long_motion_says_so_once(all_work_is_long, capsys, method, progress):
     """Many calls of compiled code are one piece of work; where progress is not to be shown nothing is said."""
     times = np.linspace(0.0, 300.0, 5) if method is None else TIMES  # of series several calls
-    ph.simulate(BODY, START, times, method=method, progress=progress, estimate_error=False)
+    ph.simulate(BODY, START, times, method=method, progress=progress)
     out, err = capsys.readouterr()
     assert out == "" and err == ("" if progress is False else LINE)
 
@@ -72,3 +73,10 @@ def test_silence_goes_for_what_is_within(all_work_is_long, capsys):
     with long_work.silent(True), long_work.silent(False), long_work.long_work("this"):
         long_work.LongWork("that").go_on()
     assert capsys.readouterr() == ("", "")
+
+
+def test_motions_within_long_work_say_nothing_of_their_own(all_work_is_long, capsys):
+    with long_work.long_work("a search"):
+        ph.simulate(BODY, START, TIMES, method=ph.integrators.LieMidpoint)
+        time.sleep(0.05)  # the line of the search comes from a thread
+    assert capsys.readouterr().err == "polhode: a search goes on after 0 s …\n"

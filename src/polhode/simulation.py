@@ -12,7 +12,7 @@ import jax
 import numpy as np
 
 from polhode._base.arrays import known_numbers_only
-from polhode._base.long_work import silent
+from polhode._base.long_work import as_one_work, silent
 from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import AdaptiveMotion, adaptive_error, solve_adaptively
@@ -94,7 +94,7 @@ def simulate(
         estimate_error: whether to run again and say by ``error_estimate`` how far the motion is from the true one. Our
             methods are run with other steps, and twice from starts a rounding away, which near a saddle grows to most
             of the error: this costs one and a half times the first run, four times where samples are a step apart; by
-            series about one and a half times too, and several times where errors grow. Adaptive steps are run with
+            series twice to six times, most where errors grow, and five times by series of whole arrays. Adaptive steps are run with
             another tolerance. Pulses shorter than 1/131072 of the time need ``jumps``.
         save: every how many-th of the times is kept as a sample, so that a long run need not fill the memory; the steps
             are those to all times.
@@ -114,7 +114,7 @@ def simulate(
         NotConverged: if an implicit step does not converge, adaptive steps shrink to nothing, or no step meets the
             tolerance.
     """
-    with without_warnings(), silent(progress is not None):
+    with without_warnings(), silent(progress is not None), as_one_work("the motion"):
         request = check_request(
             system, state, times, method=method, step=step, order=order, tolerance=tolerance, save=save,
             resumable=resumable, memory=memory, progress=progress, throw=throw, estimate_error=estimate_error,

@@ -41,7 +41,7 @@ def in_parts(monkeypatch, numbers=1):
 def test_quiet_copies_are_run_twice_more_and_others_five_times(made):
     found: Any = ph.simulate(BODY, MIXED, TIMES)
     error = found.error_estimate
-    assert made == [(6, 24, 17), (6, 21, 17), (4, 8, 17), *[(2, 28, 17)] * 3]
+    assert made == [(6, 24, 65), (6, 21, 65), (4, 8, 65), *[(2, 28, 65)] * 3]
     assert (error[[0, 2, 3, 4]] < 1e-13).all() and (error[[1, 5]] > 1e-13).all()
 
 
@@ -52,14 +52,34 @@ def test_either_sign_of_growth_has_copies_run_again(made, monkeypatch, changed):
     assert [order for _, order, _ in made].count(28) == 3
 
 
-def test_growth_that_one_run_does_not_show_by_chance_is_shown_by_the_coarse_one():
-    """The first run was off by 69 roundings beside this saddle, and the motion by 670,000."""
+@pytest.mark.parametrize(("seen", "max_growth"), [(True, LIMITS.max_growth), (False, np.inf)])
+def test_growth_that_one_run_does_not_show_by_chance_is_shown_by_the_coarse_one(monkeypatch, seen, max_growth):
+    """The first run was off by 69 roundings beside this saddle, and the motion by 670,000; it has no say here."""
+    monkeypatch.setattr(_series_error, "LIMITS", LIMITS._replace(max_roundings=np.inf, max_growth=max_growth))
     moments, start = (1.0, 2.0, 3.0), np.array([-1.02810009e-04, 1.53158817, -1.10815122e-04])
     cases = start * (1.0 + 1e-6 * np.random.default_rng(0).normal(size=(40, 3)))
     found: Any = ph.simulate(ph.systems.FreeRigidBody(moments), cases, [0.0, 60.0])
     exact = np.stack([ph.FreeMotion(moments, momentum=one).momentum(60.0) for one in cases])
     error = np.abs(found.states[:, -1] - exact).max(axis=1) / 1.5
-    assert (error < 3.0 * found.error_estimate).all()
+    assert (error < 3.0 * found.error_estimate).all() == seen
+
+
+@pytest.mark.parametrize(
+    ("honest", "changed"),
+    [(True, {}), (False, {"min_compared_times": 16}), (False, {"max_compared_times": 16})],
+)
+def test_flips_between_samples_are_in_the_estimate(monkeypatch, honest, changed):
+    """Over a long time beside a saddle runs are apart in its flips, and near each other again between them."""
+    monkeypatch.setattr(_series_error, "LIMITS", LIMITS._replace(**changed))
+    starts = (np.array([0.0, 1.0, 0.0]) + 1e-3 * np.random.default_rng(1).normal(size=(100, 3))) * [1.0, 2.0, 3.0]
+    times, worst = np.linspace(0.0, 300.0, 1001), []
+    body = ph.systems.FreeRigidBody((1.0, 2.0, 3.0))
+    exact = ph.FreeMotion((1.0, 2.0, 3.0), momentum=starts[:, None]).momentum(times)
+    error = np.abs(np.asarray(ph.simulate(body, starts, times, estimate_error=False).states) - exact).max(axis=(1, 2))
+    for samples in (times[:: 1 if "max_compared_times" in changed else 200], times):
+        said = np.asarray(ph.simulate(body, starts, samples).error_estimate)
+        worst.append((error / np.abs(starts).max(axis=1) / said)[said < 0.05].max())
+    assert (max(worst) < 3.0) == honest
 
 
 @pytest.mark.parametrize("more", [{}, {"tolerance": 1e-9}, {"save": 3}])
@@ -82,18 +102,18 @@ def test_a_comparison_changes_no_bit_of_the_motion():
 
 
 def test_no_more_samples_are_stored_than_those_of_a_part(made, monkeypatch):
-    in_parts(monkeypatch, 4 * 17 * 3)
+    in_parts(monkeypatch, 4 * 65 * 3)
     ph.simulate(BODY, np.tile(QUIET, (12, 1)), TIMES)
     assert [copies for copies, *_ in made] == [4] * 9  # motion, first and coarse run of each part
     made.clear()
     ph.simulate(BODY, QUIET, np.linspace(0.0, 60.0, 1001))
-    assert [samples for *_, samples in made] == [1001, 18, 18]  # every 62nd is compared
+    assert [samples for *_, samples in made] == [1001, 251, 251]  # every fourth is compared
 
 
 def test_only_copies_that_miss_the_tolerance_are_run_again(made):
     found: Any = ph.simulate(BODY, MIXED, TIMES, tolerance=1e-7)
     assert (found.error_estimate <= 1e-7).all()
-    assert made[:2] == [(6, 10, 17), (6, 14, 17)] and made[2:] and all(copies < 6 for copies, *_ in made[2:])
+    assert made[:2] == [(6, 10, 65), (6, 14, 65)] and made[2:] and all(copies < 6 for copies, *_ in made[2:])
 
 
 def test_runs_are_chosen_by_what_truncation_shows():

@@ -19,6 +19,7 @@ class LongWorkLimits(NamedTuple):
 
 LIMITS = LongWorkLimits()
 _silent: ContextVar[bool] = ContextVar("silent", default=False)
+_whole: ContextVar[LongWork | None] = ContextVar("whole", default=None)
 
 
 class LongWork:
@@ -39,6 +40,17 @@ class LongWork:
 
 
 @contextlib.contextmanager
+def as_one_work(what: str) -> Iterator[LongWork]:
+    """Have all that is within be one piece of work, of which one line is said in all."""
+    work = _whole.get() or LongWork(what)
+    token = _whole.set(work)
+    try:
+        yield work
+    finally:
+        _whole.reset(token)
+
+
+@contextlib.contextmanager
 def long_work(what: str) -> Iterator[None]:
     """Say that what is within goes on, also in the middle of one call of compiled code, or while it is compiled."""
     if _silent.get():
@@ -48,7 +60,8 @@ def long_work(what: str) -> Iterator[None]:
     waiting.daemon = True
     waiting.start()
     try:
-        yield
+        with silent(True):
+            yield
     finally:
         waiting.cancel()
 

@@ -7,7 +7,7 @@ import signal
 import threading
 from collections.abc import Callable, Iterator
 
-from polhode._base.long_work import LongWork
+from polhode._base.long_work import LongWork, as_one_work
 
 
 @contextlib.contextmanager
@@ -18,7 +18,12 @@ def keep_interrupts() -> Iterator[Callable[[], None]]:
     and forgotten, and a long run would go on. A handler of a program's own is left alone. After a while the function
     says once that the motion goes on.
     """
-    work = LongWork("the motion")
+    with as_one_work("the motion") as work, _handle_interrupts(work) as check:
+        yield check
+
+
+@contextlib.contextmanager
+def _handle_interrupts(work: LongWork) -> Iterator[Callable[[], None]]:
     if (
         threading.current_thread() is not threading.main_thread()
         or signal.getsignal(signal.SIGINT) is not signal.default_int_handler

@@ -42,7 +42,8 @@ from polhode.types import Array, Bool, Double, Float64, Integer
 class ErrorLimits(NamedTuple):
     """Numbers that choose the further runs, and make an estimate of their distances from the motion."""
 
-    min_compared_times: int = 16  # as two runs may meet by chance at a few; 64 show no more
+    min_compared_times: int = 64  # of long motions beside saddles: with 16 an error was 1,900 times what was said
+    max_compared_times: int = 256  # of many samples: with 16 of 2,000, flips beside a saddle between them were not seen
     max_numbers_together: int = 1 << 20  # of samples, 8 MB, of copies that are moved and compared side by side
     min_copies_together: int = 1024  # of many samples: fewer would not keep the threads of many processors busy
     more_orders: int = 4  # of runs that show truncation
@@ -167,7 +168,7 @@ def _ask(
     parts = max(1, math.ceil(least / (len(whole) - 1)))
     fine = np.append(np.linspace(whole[:-1], whole[1:], parts, endpoint=False, axis=1), whole[-1])
     last = len(fine) - 1
-    compared = np.append(np.arange(0, last, max(1, last // least)), last)
+    compared = np.append(np.arange(0, last, max(1, math.ceil(last / LIMITS.max_compared_times))), last)
     longest = math.inf if step is None else float(step)
     by_arrays = goes_by_arrays(system, states)
     return _Asked(system, method, fine, parts * np.arange(len(kept)), compared, longest, by_arrays)

@@ -20,6 +20,7 @@ import numpy as np
 from polhode._base.compiled.images import CannotLink, Image, load, processors
 from polhode._base.compiled.waiting import LIMITS, alone
 from polhode._base.seals import drop_oldest, read_sealed, write_sealed
+from polhode.errors import shown
 
 ENDING = ".kernel"
 IN_ORDER, TO_BE_WRITTEN = 0x101, 0x400  # flags of arrays of NumPy: in the order of C and aligned
@@ -168,4 +169,5 @@ def _flatten(value: Any, kinds: list[str], words: list[Any]) -> None:
         kinds.append("q")
         words.append(int(value))
     else:
-        raise TypeError(f"a compiled function takes arrays, doubles, whole numbers and tuples of these; got {value!r}")
+        what = "a compiled function takes arrays, doubles, whole numbers and tuples of these"
+        raise TypeError(f"{what}; got {shown(value)}.")

@@ -12,7 +12,8 @@ from numba.core import cgutils, types
 from numba.np.arrayobj import make_array, populate_array
 
 from polhode._base.compiled.compiling import compile_part
-from polhode._base.compiled.images import Image, link
+from polhode._base.compiled.images import Image
+from polhode._base.compiled.linking import link
 
 ENTRY = "polhode_entry"
 WORD, BYTE = ir.IntType(64), ir.IntType(8)
