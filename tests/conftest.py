@@ -167,6 +167,19 @@ def is_long(item, cases):
     return any(own == f"{name}]" for name in named) or any(cases[place] > count for count in first)
 
 
+@pytest.fixture
+def without_home(monkeypatch):
+    """Have this user have no home directory, as in containers under a number that belongs to nobody."""
+
+    def find_nobody(number):
+        raise KeyError(number)
+
+    monkeypatch.delenv("HOME", raising=False)
+    monkeypatch.setattr(pytest.importorskip("pwd"), "getpwuid", find_nobody)
+    with pytest.raises(RuntimeError):
+        Path.home()
+
+
 @pytest.fixture(autouse=True)
 def small_memory():
     """Give back what compiling left over and, where that is not enough, what was compiled.

@@ -144,6 +144,19 @@ def test_a_folder_that_cannot_be_written_changes_nothing(given, compiled, monkey
     assert compiled == ["add_up"] and not files(tmp_path)
 
 
+def test_without_a_home_nothing_is_kept(given, compiled, monkeypatch, tmp_path, without_home):
+    """Where the package's own folder cannot be written either."""
+    monkeypatch.delenv("NUMBA_CACHE_DIR", raising=False)
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    monkeypatch.chdir(tmp_path)
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "access", lambda *given: False)
+        function = Entry("add_up_1234", "sums", tmp_path / "module.py", lambda: CompiledFunction("sums", add_up))
+    assert not function.is_on_disk()
+    check(function, given)
+    assert compiled == ["add_up"] and not list(tmp_path.iterdir())
+
+
 def test_where_no_image_can_be_made_or_run_numba_does_it(given, monkeypatch, tmp_path):
     def refuse(*given):
         raise images.CannotLink

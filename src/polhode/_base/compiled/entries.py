@@ -137,13 +137,19 @@ if hasattr(os, "register_at_fork"):
 
 
 def find_place(module: Path) -> Path:
-    """Return where what is compiled of a module is kept: as Numba does, or beside other things that polhode keeps."""
+    """Return where what is compiled of a module is kept: as Numba does, or beside other things that polhode keeps.
+
+    Without a home directory it is a place where there is nothing and nothing can be written.
+    """
     if named := os.environ.get("NUMBA_CACHE_DIR"):
         return Path(named) / "polhode"
     beside = module.parent / "__pycache__"
     if os.access(beside if beside.exists() else beside.parent, os.W_OK):
         return beside
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "polhode" / "kernels"
+    try:
+        return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "polhode" / "kernels"
+    except RuntimeError:  # HOME is not set, and the user has no entry
+        return Path(os.devnull) / "polhode"
 
 
 def _flatten(value: Any, kinds: list[str], words: list[Any]) -> None:
