@@ -17,8 +17,8 @@ from pathlib import Path
 
 from polhode._base.plugins import COMPUTED_BY, Plugin, digest_plugins
 
-SETTINGS = ("XLA_FLAGS", "NUMBA_DISABLE_JIT", "NUMBA_CPU_NAME", "NUMBA_CPU_FEATURES", "NPY_DISABLE_CPU_FEATURES",
-            "OPENBLAS_CORETYPE")  # fmt: skip
+SETTINGS = ("XLA_FLAGS", "JAX_ENABLE_X64", "NUMBA_DISABLE_JIT", "NUMBA_CPU_NAME", "NUMBA_CPU_FEATURES",
+            "NPY_DISABLE_CPU_FEATURES", "OPENBLAS_CORETYPE")  # fmt: skip
 """Environment variables by which the same libraries compute other last bits."""
 OURS = "polhode, Python, a library that it computes with, or a setting such as XLA_FLAGS"
 
