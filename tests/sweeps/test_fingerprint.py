@@ -278,3 +278,13 @@ def test_files_are_recorded_by_content(tmp_path):
     (tmp_path / "a.xyz").write_text("two")
     assert content_digest(tmp_path / "a.xyz") == hashlib.sha256(b"two").hexdigest()
     assert content_digest(tmp_path / "b.xyz") == ""
+
+
+def test_a_file_that_something_else_replaced_has_been_read(tmp_path):
+    file = tmp_path / "a.xyz"
+    file.write_text("one")
+    with record_files() as read:
+        read_text(file, "molecule", 10)
+        file.unlink()
+        file.mkdir()
+    assert read == {file: ""}

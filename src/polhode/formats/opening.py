@@ -46,8 +46,8 @@ def open_for_a_spec() -> Iterator[None]:
 def record_files() -> Iterator[dict[Path, str]]:
     """Yield a dictionary that holds, after the block succeeds, every file that was read in it.
 
-    Absolute path → SHA-256 of the content: of files opened here, and of those that ``check_is_file`` checked before a
-    library opened them. Other threads are not recorded.
+    Absolute path → SHA-256 of the content after the block, "" where it cannot be read any more: of files opened here,
+    and of those that ``check_is_file`` checked before a library opened them. Other threads are not recorded.
     """
     opened: set[Path] = set()
     digests: dict[Path, str] = {}
@@ -56,7 +56,11 @@ def record_files() -> Iterator[dict[Path, str]]:
         yield digests
     finally:
         _recordings.reset(before)
-    digests.update((path, content_digest(path)) for path in sorted(opened))
+    for path in sorted(opened):
+        try:
+            digests[path] = content_digest(path)
+        except InvalidInput:  # what was read is no reason to fail
+            digests[path] = ""
 
 
 def content_digest(path: Path) -> str:
