@@ -4,9 +4,13 @@ import os
 import shutil
 import subprocess
 import sys
+import warnings
+from pathlib import Path
 
+import platformdirs
 import pytest
 
+from polhode.cli import compiled
 from polhode.cli import main as entry
 
 PROGRAM = """
@@ -76,6 +80,21 @@ def test_what_is_broken_or_cannot_be_written_is_compiled_again_in_silence(filled
     assert all(path.stat().st_size > 40 for path in broken)
     (tmp_path / "file").write_text("")
     assert run(PROGRAM, tmp_path / "file") == said
+
+
+def test_without_a_home_nothing_is_kept(monkeypatch, without_home):
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    monkeypatch.setattr(os, "environ", {"PATH": os.environ["PATH"]})
+    with warnings.catch_warnings():
+        compiled.compile_quickly()
+        compiled.keep_compiled()
+    assert not [name for name in os.environ if name.endswith(("_CACHE", "_FLAGS"))]
+
+
+@pytest.mark.parametrize("folder", ["~/.cache/polhode", "/home/me/.cache/polhode"])
+def test_a_home_that_is_not_known_is_no_folder(monkeypatch, folder):
+    monkeypatch.setattr(platformdirs, "user_cache_path", lambda name: Path(folder))
+    assert compiled._cache_folder() == (None if folder.startswith("~") else Path(folder))
 
 
 @pytest.mark.long

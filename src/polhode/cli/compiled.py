@@ -9,6 +9,7 @@ import sys
 import warnings
 import zlib
 from importlib.util import find_spec
+from pathlib import Path
 from typing import NamedTuple
 
 COMPILER = "XLA_FLAGS"
@@ -42,13 +43,15 @@ def _known_flags(flags: tuple[str, ...]) -> tuple[str, ...]:
     One that it does not know ends its process, and releases differ: it is asked once, in a process of its own.
     """
     from jaxlib.version import __version__  # without loading JAX
-    from platformdirs import user_cache_path
 
     from polhode._base.seals import read_sealed, write_sealed
 
+    folder = _cache_folder()
+    if folder is None:
+        return ()
     spec = find_spec("jaxlib")
     build = zlib.crc32(f"{spec and spec.origin} {flags}".encode())
-    kept = user_cache_path("polhode") / "flags" / f"{__version__}-{build:08x}"
+    kept = folder / "flags" / f"{__version__}-{build:08x}"
     if lines := (read_sealed(kept, LIMITS.max_flag_bytes) or b"").decode().splitlines():
         return tuple(lines)
     try:
@@ -78,14 +81,26 @@ def keep_compiled() -> None:
     os.environ.setdefault("EQX_ON_ERROR", "nan")
     os.environ.setdefault("TF_CPP_MIN_LOG_LEVEL", "3")  # processors that warn when they read their own functions back
     warnings.filterwarnings("ignore", "Error (reading|writing) persistent compilation cache")
-    from platformdirs import user_cache_path
-
+    folder = _cache_folder()
+    if folder is None:
+        return
     for what in ("units", "reports"):
-        os.environ.setdefault(f"POLHODE_{what.upper()}_CACHE", str(user_cache_path("polhode") / what))
+        os.environ.setdefault(f"POLHODE_{what.upper()}_CACHE", str(folder / what))
     if "JAX_COMPILATION_CACHE_DIR" in os.environ:  # a folder of the user's own, whose content JAX chooses
         return
     # a home that several machines share: they may have different processors
-    os.environ.setdefault("POLHODE_COMPILED_CACHE", str(user_cache_path("polhode") / "compiled" / platform.node()))
+    os.environ.setdefault("POLHODE_COMPILED_CACHE", str(folder / "compiled" / platform.node()))
     os.environ.setdefault("JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS", "0")
     os.environ.setdefault("JAX_PERSISTENT_CACHE_MIN_ENTRY_SIZE_BYTES", "-1")
     os.environ.setdefault("JAX_PERSISTENT_CACHE_ENABLE_XLA_CACHES", "none")  # which a compiler would write unsealed
+
+
+def _cache_folder() -> Path | None:
+    """Return the user's cache folder for polhode; None where there is no home directory."""
+    from platformdirs import user_cache_path
+
+    try:
+        folder = user_cache_path("polhode")
+    except RuntimeError:
+        return None
+    return None if folder.parts[0] == "~" else folder  # as older releases of platformdirs leave it
