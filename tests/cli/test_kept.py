@@ -4,6 +4,8 @@ import dataclasses
 import os
 import subprocess
 import sys
+import time
+import warnings
 from pathlib import Path
 
 import jaxtyping
@@ -169,7 +171,8 @@ def made(spec, monkeypatch):
     calls, original = [], page.page_of_answers
     with monkeypatch.context() as patch:
         patch.setattr(page, "page_of_answers", lambda *given: calls.append(1) or original(*given))
-        return kept.load_or_make_page(spec, kept.load_or_make_report(spec)).text, bool(calls)
+        begun = time.time_ns()
+        return kept.load_or_make_page(spec, kept.load_or_make_report(spec), begun).text, bool(calls)
 
 
 def test_a_page_is_made_once(case, monkeypatch):
@@ -202,6 +205,82 @@ def test_a_page_is_made_again_where_a_file_of_the_report_changed(case, monkeypat
     assert made(spec, monkeypatch)[1] and not made(spec, monkeypatch)[1]
     earlier.write_bytes(b"another run")
     assert made(spec, monkeypatch)[1] and not made(spec, monkeypatch)[1]
+
+
+class Earlier:
+    """An earlier run that the page reads, if that is its moment, or else the report; another process replaces it."""
+
+    def __init__(self, case, monkeypatch, moment):
+        self.path, self.moment = case / "earlier.nc", moment
+        self.path.write_bytes(b"a run")
+        report, of_answers = Spec.report, page.page_of_answers
+
+        def report_on_it(spec):
+            self.read_and_replace(self.moment != "page", "report")
+            return report(spec)
+
+        def page_of_it(*given):
+            self.read_and_replace(self.moment == "page", "page")
+            return of_answers(*given)
+
+        monkeypatch.setattr(Spec, "report", report_on_it)
+        monkeypatch.setattr(page, "page_of_answers", page_of_it)
+
+    def read_and_replace(self, reads, moment):
+        if reads:
+            check_is_file(self.path, "a run")
+        if moment == self.moment:
+            other = self.path.with_name("other.nc")
+            other.write_bytes(b"another run")
+            os.utime(other, (1e9, 1e9))  # as a file that was copied may be older than the one in whose place it goes
+            other.replace(self.path)
+
+
+def test_a_report_is_not_kept_where_a_file_was_replaced_meanwhile(case, monkeypatch):
+    """The numbers are of the file that was read, and would be taken for those of the one that is there now."""
+    earlier, spec = Earlier(case, monkeypatch, "report"), read_spec(case / "case.toml")
+    kept.load_or_make_report(spec)
+    assert not files(case)
+    earlier.moment = ""
+    kept.load_or_make_report(spec)
+    assert len(files(case)) == 1
+
+
+@pytest.mark.parametrize("moment", ["between", "page"])
+def test_a_page_is_not_kept_where_a_file_was_replaced_meanwhile(case, monkeypatch, moment):
+    earlier, spec = Earlier(case, monkeypatch, moment), read_spec(case / "case.toml")
+    begun = time.time_ns()
+    report = kept.load_or_make_report(spec)
+    earlier.read_and_replace(False, "between")
+    if moment == "between":  # and another process has kept the report on the new file by then
+        kept.load_or_make_report(spec)
+    kept.load_or_make_page(spec, report, begun)
+    assert [file.suffix for file in files(case)] == [entries.REPORT]
+
+
+@pytest.mark.parametrize("warns", ["report", "page_of_answers"])
+def test_what_warned_is_not_kept(case, monkeypatch, warns):
+    owner = {"report": Spec, "page_of_answers": page}[warns]
+    original, spec = getattr(owner, warns), read_spec(case / "case.toml")
+
+    def warn(*given):
+        warnings.warn("a doubt", stacklevel=2)
+        return original(*given)
+
+    monkeypatch.setattr(owner, warns, warn)
+    for _ in range(2):
+        with pytest.warns(UserWarning, match="a doubt"):
+            kept.load_or_make_page(spec, kept.load_or_make_report(spec), time.time_ns())
+    assert [file.suffix for file in files(case)] == ([entries.REPORT] if warns == "page_of_answers" else [])
+
+
+def test_files_that_may_have_changed(case):
+    file = case / "box.obj"
+    after = max(file.stat().st_mtime_ns, file.stat().st_ctime_ns) + 1
+    assert not entries.may_have_changed([file], after) and entries.may_have_changed([file], after - 1)
+    os.utime(file, (1e9, 1e9))  # by which only its time of writing is older
+    assert entries.may_have_changed([file], after - 1)
+    assert entries.may_have_changed([case / "gone"], after) and not entries.may_have_changed([], 0)
 
 
 @pytest.mark.long

@@ -7,6 +7,7 @@ import sys
 import warnings
 from pathlib import Path
 
+import matplotlib
 import pytest
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
@@ -159,6 +160,18 @@ def change_settings_here(case, patch):
     (case / "matplotlibrc").write_text("lines.linewidth: 3")
 
 
+def change_own_settings(case, patch):
+    """Matplotlib's own, which whoever installs it for others may edit."""
+    own = case / "matplotlib" / "mpl-data"
+    own.mkdir(parents=True, exist_ok=True)
+    (own / "matplotlibrc").write_text("lines.linewidth: 3")
+    patch.setattr(matplotlib.__spec__, "submodule_search_locations", [str(own.parent)])
+
+
+def change_precision(case, patch):
+    patch.setenv("JAX_ENABLE_X64", "1")
+
+
 def change_matplotlib(case, patch):
     from polhode.cli import written
 
@@ -173,7 +186,7 @@ def damage(case, patch):
 @pytest.mark.long_after(2)
 @pytest.mark.parametrize(("change", "computes"), [
     (change_spec, True), (change_settings, False), (change_mesh, True), (change_program, True), (damage, True),
-    (change_settings_here, False), (change_matplotlib, False),
+    (change_settings_here, False), (change_matplotlib, False), (change_own_settings, False), (change_precision, True),
 ])  # fmt: skip
 def test_whatever_changes_is_made_again(case, capsys, change, computes):
     report(capsys, "case.toml")
@@ -201,6 +214,53 @@ def test_a_warning_is_said_again(case, capsys, add_entry_points):
             warnings.simplefilter("always")
             main(["report", "case.toml"])
         assert "there is no kind" in capsys.readouterr().err
+
+
+def say_warnings(capsys):
+    with pytest.raises(SystemExit), warnings.catch_warnings():
+        warnings.simplefilter("ignore" if sys.warnoptions else "always")
+        main(["report", "case.toml"])
+    return capsys.readouterr().err
+
+
+def warn_and_report(original):
+    def report(spec):
+        warnings.warn("a doubt", stacklevel=2)
+        return original(spec)
+
+    return report
+
+
+def test_a_warning_of_what_is_computed_is_said_again(case, capsys, monkeypatch):
+    monkeypatch.setattr(Spec, "report", warn_and_report(Spec.report))
+    assert all("a doubt" in say_warnings(capsys) for _ in range(3))
+
+
+def test_a_warning_that_was_ignored_is_said_where_it_is_not(case, capsys, monkeypatch):
+    """As by ``PYTHONWARNINGS=ignore``, under which what is kept is taken again."""
+    monkeypatch.setattr(Spec, "report", warn_and_report(Spec.report))
+    with monkeypatch.context() as patch:
+        patch.setattr(sys, "warnoptions", ["ignore"])
+        assert not say_warnings(capsys) and counted(capsys, "case.toml")[1] == (0, 0, 0)
+    assert all("a doubt" in say_warnings(capsys) for _ in range(2))
+
+
+def test_a_file_that_vanishes_meanwhile_is_not_missed(case, capsys, monkeypatch):
+    """It has been read; nothing is kept, as whether it was the same is not known."""
+    draw = figures.FIGURES["components"]
+
+    def vanish_and_draw(*given, **named):
+        (case / "box.obj").unlink(missing_ok=True)
+        return draw(*given, **named)
+
+    monkeypatch.setattr(figures, "FIGURES", {"components": vanish_and_draw})
+    assert "components.png" in report(capsys, "case.toml")
+    assert not list((case / "kept").glob(f"*{entries.WRITTEN}"))
+
+
+def test_a_report_where_there_is_no_home(case, capsys, without_home):
+    first = report(capsys, "case.toml")
+    assert counted(capsys, "case.toml") == (first, (0, 0, 0))
 
 
 def test_a_file_that_changes_meanwhile_is_not_taken_for_the_one_that_was_read(case, capsys):

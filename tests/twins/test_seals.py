@@ -7,6 +7,7 @@ import stat
 import subprocess
 import sys
 import threading
+import time
 from pathlib import Path
 
 import numpy as np
@@ -125,7 +126,8 @@ def a_report(folder, spec):
 
 
 def a_page(folder, spec):
-    kept.load_or_make_page(spec, kept.load_or_make_report(spec))
+    begun = time.time_ns()
+    kept.load_or_make_page(spec, kept.load_or_make_report(spec), begun)
     place = kept._place(spec).with_suffix(kept.PAGE)
     return place, lambda: kept._load_page(place)
 

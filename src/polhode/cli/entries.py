@@ -7,11 +7,13 @@ from __future__ import annotations
 
 import contextlib
 import json
+import math
 import os
 import sys
-from collections.abc import Iterable
+import warnings
+from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from polhode._base.plugins import Plugin, list_modules_of_others
 from polhode._base.plugins.program import program_digest
@@ -112,6 +114,42 @@ def keep_entry(packed: bytes, origin: Origin, place: Path) -> None:
         return
     write_sealed(place, content)
     drop_oldest([path for path in place.parent.iterdir() if _ending(path) == _ending(place)], MOST)
+
+
+@contextlib.contextmanager
+def record_warnings() -> Iterator[list[str]]:
+    """Yield a list of the warnings that are shown while the block runs; whoever loads an entry would not see them."""
+    shown: list[str] = []
+    show = warnings.showwarning
+
+    def record_and_show(message: Warning | str, *where: Any, **more: Any) -> None:
+        shown.append(str(message))
+        show(message, *where, **more)
+
+    warnings.showwarning = record_and_show
+    try:
+        yield shown
+    finally:
+        warnings.showwarning = show
+
+
+def may_have_changed(paths: Iterable[Path | str], begun: int) -> bool:
+    """Whether any file may be another one than was read, as its digest is taken later.
+
+    Args:
+        paths: of files that were read.
+        begun: when reading began [ns since 1970].
+    """
+    return any(_time_of_change(Path(path)) >= begun for path in paths)
+
+
+def _time_of_change(path: Path) -> float:
+    """Return when a file was last written or put in its place [ns]; infinity for one that is gone."""
+    try:
+        status = path.stat()
+    except OSError:
+        return math.inf
+    return max(status.st_mtime_ns, status.st_ctime_ns)
 
 
 def _ending(path: Path) -> str:

@@ -4,6 +4,9 @@ A report follows from its spec and from the program, so it is kept under a diges
 came from, by content: files that were read meanwhile, such as an earlier run that it goes on from, and the code of
 other packages that took part. It is true as long as all of these are the same (``entries``).
 
+Nothing is kept where a file may have changed after it was read, or where a warning was shown, which whoever takes the
+entry would not see.
+
 A page is kept as JSON. A report is an object that draws, writes and proves, made of systems, bodies, algebras and
 certificates of any kind and package; whatever wrote and read all of these would call their classes by name, as pickle
 does. So it is pickled, and unpickled only below an intact seal in a file that nobody else can have written.
@@ -16,6 +19,8 @@ import dataclasses
 import hashlib
 import json
 import pickle
+import sys
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -25,7 +30,16 @@ from pydantic import BaseModel
 
 from polhode._base.plugins import record_plugins
 from polhode._base.plugins.program import program_digest
-from polhode.cli.entries import PAGE, REPORT, Origin, folder_of_entries, keep_entry, load_entry
+from polhode.cli.entries import (
+    PAGE,
+    REPORT,
+    Origin,
+    folder_of_entries,
+    keep_entry,
+    load_entry,
+    may_have_changed,
+    record_warnings,
+)
 from polhode.formats.opening import record_files
 from polhode.kinds.base import Spec
 from polhode.reports.base import SystemReport
@@ -46,16 +60,24 @@ def load_or_make_report(spec: Spec) -> SystemReport:
         return spec.report()
     report = _load_report(place)
     if report is None:
-        with record_files() as read, record_plugins() as plugins:
+        begun = time.time_ns()
+        with record_files() as read, record_plugins() as plugins, record_warnings() as shown:
             report = spec.report()
             _ = report.answers  # what they take is kept with it
+        if shown or may_have_changed(read, begun):
+            return report
         with contextlib.suppress(Exception):  # what cannot be kept is computed again
             keep_entry(pickle.dumps(report), Origin.of(plugins.union(spec.plugins), read), place)
     return report
 
 
-def load_or_make_page(spec: Spec, report: SystemReport) -> Page:
+def load_or_make_page(spec: Spec, report: SystemReport, begun: int) -> Page:
     """Return the page of a spec's report, from the cache or made now; some kinds compute more motions for it.
+
+    Args:
+        spec: of the report.
+        report: as ``load_or_make_report`` returned it.
+        begun: when this was asked for it [ns since 1970].
 
     Raises:
         InvalidInput: where there is nothing to show.
@@ -68,11 +90,14 @@ def load_or_make_page(spec: Spec, report: SystemReport) -> Page:
     beside = place.with_suffix(PAGE)
     page = _load_page(beside)
     if page is None:
-        with record_files() as read, record_plugins() as plugins:
+        with record_files() as read, record_plugins() as plugins, record_warnings() as shown:
             page = page_of_answers(report, report.name, spec.picture)
         kept = load_entry(place)
         if kept is not None:  # else the report itself may not be kept
             origin, _ = kept
+            before = [path for path, digest in origin.read.items() if digest]  # others lie in archives
+            if shown or may_have_changed([*read, *before], begun):
+                return page
             with contextlib.suppress(Exception):
                 came_from = Origin.of(plugins.union(origin.plugins), read, origin.read)
                 keep_entry(json.dumps(page._asdict()).encode(), came_from, beside)
@@ -116,12 +141,13 @@ def _load_page(place: Path) -> Page | None:
     kept = load_entry(place)
     if kept is None:
         return None
-    told = json.loads(kept[1])
-    return Page(told["title"], told["data"], tuple(told["scripts"]))
+    parts = json.loads(kept[1])
+    return Page(parts["title"], parts["data"], tuple(parts["scripts"]))
 
 
 def _digest(spec: Spec) -> str:
-    digest = hashlib.sha256(program_digest().encode())
+    shown = sys.warnoptions  # by which a report that would warn elsewhere does not, and is kept
+    digest = hashlib.sha256(f"{program_digest()} {shown}".encode())
     for part in _parts([getattr(spec, field.name) for field in dataclasses.fields(spec) if field.name != "kind"]):
         digest.update(b"%d:" % len(part))
         digest.update(part)

@@ -35,7 +35,7 @@ def write_new(asked: Asked, folder: Path) -> Written:
             if asked.html:
                 from polhode.kinds.page import write_page_text
 
-                files.append(write_page_text(load_or_make_page(spec, report), draft / "page.html"))
+                files.append(write_page_text(load_or_make_page(spec, report, keeper.begun), draft / "page.html"))
         written = Written(report, [file.name for file in files], following)
         if is_kept(spec):
             keeper.keep(written, draft)

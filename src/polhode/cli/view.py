@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 import typer
@@ -28,7 +29,8 @@ def _page(path: Path, out: Path | None) -> Path:
     target = out or Path(f"{path.stem}.html")
     check_spares(target, path)
     spec = read_spec(path)
-    return write_page_text(load_or_make_page(spec, make_page_report(path, spec)), target)
+    begun = time.time_ns()
+    return write_page_text(load_or_make_page(spec, make_page_report(path, spec), begun), target)
 
 
 def _playground(out: Path | None) -> Path:

@@ -5,7 +5,8 @@ neither JAX nor a kind is imported. They are kept by the path of the spec and wh
 files that were read, the program, what other packages bring, and the settings by which figures are drawn are the same.
 
 Nothing is kept of a report that came with a warning, which would not be said again, nor where a file that was read may
-have changed meanwhile.
+have changed meanwhile. Python's option ``-W`` and PYTHONWARNINGS say which warnings are shown, so what is kept under
+one choice is not taken under another.
 """
 
 from __future__ import annotations
@@ -14,17 +15,28 @@ import contextlib
 import hashlib
 import json
 import os
+import sys
 import time
-import warnings
 from collections.abc import Iterator, Sequence
 from importlib import metadata
+from importlib.util import find_spec
 from operator import itemgetter
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from polhode._base.plugins import list_plugins
 from polhode._base.plugins.program import program_digest
-from polhode.cli.entries import LARGEST, WRITTEN, Origin, folder_of_entries, keep_entry, load_entry
+from polhode.cli.entries import (
+    LARGEST,
+    WRITTEN,
+    Origin,
+    folder_of_entries,
+    keep_entry,
+    load_entry,
+    may_have_changed,
+    record_warnings,
+)
+from polhode.errors import InvalidInput
 from polhode.formats.opening import content_digest, record_files
 from polhode.formats.paths import write_together
 from polhode.reports.answer import Answer, Group, Table
@@ -50,7 +62,8 @@ class Asked:
         self.plugins = list_plugins()
         versions = [(name, _version(name)) for name in DRAWN_BY]
         named = str(path), str(path.absolute())  # messages have it as it is given
-        facts = program_digest(), named, tuple(formats), html, versions, list(_settings_of_figures()), self.plugins
+        settings = list(_settings_of_figures()), sys.warnoptions
+        facts = program_digest(), named, tuple(formats), html, versions, settings, self.plugins
         folder = folder_of_entries()
         name = f"{hashlib.sha256(repr(facts).encode()).hexdigest()}{WRITTEN}"
         self.place = None if folder is None else folder / name
@@ -75,46 +88,41 @@ class Written(NamedTuple):
 class ReportInWords(PlainReport):
     """A report as far as it is printed."""
 
-    def __init__(self, told: dict[str, Any]) -> None:
+    def __init__(self, words: dict[str, Any]) -> None:
         """Take what ``_in_words`` returns."""
-        groups = [_read_table(**each) if "columns" in each else _read_group(**each) for each in told["answers"]]
-        super().__init__(told["name"], told["kind"], told["summary"], groups, told["notes"])
-        self._values = told["values"]
+        groups = [_read_table(**each) if "columns" in each else _read_group(**each) for each in words["answers"]]
+        super().__init__(words["name"], words["kind"], words["summary"], groups, words["notes"])
+        self._values = words["values"]
 
     def as_json_dict(self) -> dict[str, Any]:
         return self._values
 
 
 class Keeper:
-    """Notes from what a report is made, so that what it wrote can be kept."""
+    """Notes from what a report is made, so that what it wrote can be kept.
+
+    Attributes:
+        begun: when this was [ns since 1970].
+    """
 
     def __init__(self, asked: Asked) -> None:
         """Begin before anything is read."""
-        self._asked, self._begun = asked, time.time_ns()
+        self._asked, self.begun = asked, time.time_ns()
         self._read: dict[Path, str] = {}
         self._has_warned = False
 
     @contextlib.contextmanager
     def note(self) -> Iterator[None]:
         """Note the files that the block reads, and whether it warns."""
-        show = warnings.showwarning
-
-        def note_and_show(*what: Any, **more: Any) -> None:
-            self._has_warned = True
-            show(*what, **more)
-
-        warnings.showwarning = note_and_show
-        try:
-            with record_files() as read:
-                yield
-        finally:
-            warnings.showwarning = show
+        with record_warnings() as shown, record_files() as read:
+            yield
+        self._has_warned |= bool(shown)
         self._read |= read
 
     def keep(self, written: Written, folder: Path) -> None:
         """Keep what was written into a folder, where it will be true."""
         place = self._asked.place
-        if place is None or self._has_warned or any(map(self._may_have_changed, self._read)):
+        if place is None or self._has_warned or may_have_changed(self._read, self.begun):
             return
         with contextlib.suppress(Exception):  # what cannot be kept is made again
             sizes = {name: (folder / name).stat().st_size for name in written.files}
@@ -123,11 +131,6 @@ class Keeper:
             head = {"report": _in_words(written.report), "files": sizes, "following": written.following}
             packed = b"".join([json.dumps(head).encode(), b"\n", *((folder / name).read_bytes() for name in sizes)])
             keep_entry(packed, Origin.of(self._asked.plugins, self._read), place)
-
-    def _may_have_changed(self, path: Path) -> bool:
-        """Whether a file may be another one than was read."""
-        status = path.stat()
-        return max(status.st_mtime_ns, status.st_ctime_ns) >= self._begun
 
 
 def write_again(asked: Asked, folder: Path) -> Written | None:
@@ -157,13 +160,21 @@ def _version(name: str) -> str:
 
 
 def _settings_of_figures() -> Iterator[str]:
-    """Yield the digests of the files in which matplotlib looks for a user's settings, "" for those that are missing."""
+    """Yield the digests of the files in which matplotlib looks for settings, "" for those that it cannot read."""
     named, own = os.environ.get("MATPLOTLIBRC", ""), os.environ.get("MPLCONFIGDIR")
-    home = Path.home()
+    try:
+        home = Path.home()
+    except RuntimeError:  # HOME is not set, and the user has no entry
+        home = Path(os.devnull)
     folders = [Path(), Path(named), home / ".matplotlib",
                Path(own) if own else Path(os.environ.get("XDG_CONFIG_HOME") or home / ".config") / "matplotlib"]
+    library = find_spec("matplotlib")  # without importing it
+    folders += [Path(folder) / "mpl-data" for folder in (library and library.submodule_search_locations) or ()]
     for place in (*(folder / "matplotlibrc" for folder in folders), Path(named)):
-        yield content_digest(place) if place.is_file() else ""
+        try:
+            yield content_digest(place)
+        except InvalidInput:  # a folder, or not for this user
+            yield ""
 
 
 def _in_words(report: Report) -> dict[str, Any]:
