@@ -89,6 +89,21 @@ def test_other_moments_have_another_hash():
     assert hash(ph.systems.FreeRigidBody((1.0, 2.0, 3.0))) != hash(ph.systems.FreeRigidBody((1.0, 2.0, 2.5)))
 
 
+def test_systems_are_equal_where_their_numbers_have_the_same_bits():
+    with_zero, with_minus, unknown, too = (LiePoisson(lie.SO3(), as_bound(x)) for x in (0.0, -0.0, np.nan, np.nan))
+    assert with_zero != with_minus and hash(with_zero) != hash(with_minus)
+    assert unknown == unknown and unknown == too and hash(unknown) == hash(too)
+    assert with_zero == LiePoisson(lie.SO3(), as_bound(0.0)) != with_minus
+    assert with_zero != unknown and with_zero != LiePoisson(lie.SO3(), as_bound([0.0]))
+
+
+def test_traced_systems_are_compared_by_jax():
+    def compare(value):
+        return LiePoisson(lie.SO3(), as_bound(value)) == LiePoisson(lie.SO3(), as_bound(2.0))
+
+    assert [bool(jax.jit(compare)(value)) for value in (2.0, 3.0)] == [True, False]
+
+
 @pytest.mark.parametrize("method", [None, LieMidpoint])
 def test_a_gradient_that_is_no_number_at_the_start_is_named(method):
     system = LiePoisson(lie.SO3(), lambda L: jnp.sqrt(L[0] - 1.0))

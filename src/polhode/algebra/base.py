@@ -9,6 +9,7 @@ Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, ch. 9, 13.
 from __future__ import annotations
 
 import abc
+import itertools
 import math
 from functools import cached_property, partial
 from types import MethodType
@@ -39,29 +40,41 @@ def _without_self(method: Any) -> tuple[type, dict[str, Any]]:
     return type(method), {name: x for name, x in vars(method).items() if name not in ("__func__", "__self__")}
 
 
-def _are_plainly_equal(one: Any, other: Any) -> bool:
+def _are_equal(one: Any, other: Any) -> Any:
     """Return whether modules are of one class, of equal parts and numbers, without an operation of JAX for each array.
 
-    Where they are not, Equinox compares them. Machines of a system are found by one that is equal.
+    Arrays are compared as the hash has them, by their bytes: 0.0 and −0.0 differ, and what holds a NaN equals itself.
+    Machines of a system are found by one that is equal.
     """
     if type(one) is not type(other):
         return False
     (leaves, tree), (others, other_tree) = jax.tree.flatten(one), jax.tree.flatten(other)
-    return tree == other_tree and all(
-        _is_known(x) and _is_known(y) and x.dtype == y.dtype and np.array_equal(np.asarray(x), np.asarray(y))
-        for x, y in zip(leaves, others, strict=True)
-    )
+    if tree != other_tree:
+        return False
+    if is_traced(*leaves, *others):
+        return eqx.tree_equal(one, other)
+    return all(itertools.starmap(_is_same, zip(leaves, others, strict=True)))
 
 
-def _is_known(leaf: Any) -> bool:
-    return eqx.is_array(leaf) and not is_traced(leaf)
+def _is_same(leaf: Any, other: Any) -> bool:
+    if leaf is other:
+        return True
+    arrays = _is_array(leaf), _is_array(other)
+    if not all(arrays):
+        return not any(arrays) and bool(leaf == other)
+    alike = leaf.shape == other.shape and leaf.dtype == other.dtype
+    return alike and np.asarray(leaf).tobytes() == np.asarray(other).tobytes()
+
+
+def _is_array(leaf: Any) -> bool:
+    return isinstance(leaf, np.ndarray | jax.Array)
 
 
 class HashableModule(eqx.Module):
     """A module whose hash is that of its contents, arrays included, so that ``jax.jit`` takes its methods."""
 
     def __eq__(self, other: object, /) -> Any:
-        return _are_plainly_equal(self, other) or super().__eq__(other)
+        return self is other or _are_equal(self, other)
 
     if not TYPE_CHECKING:
 
@@ -85,8 +98,7 @@ class HashableModule(eqx.Module):
 
     def __hash__(self) -> int:
         leaves, structure = jax.tree.flatten(self)
-        return hash((structure, *((x.shape, np.asarray(x).tobytes()) if eqx.is_array(x) or isinstance(x, np.ndarray)
-                                  else x for x in leaves)))
+        return hash((structure, *((x.shape, np.asarray(x).tobytes()) if _is_array(x) else x for x in leaves)))
 
 
 class AbstractLieAlgebra(HashableModule):
