@@ -7,6 +7,7 @@ Source: Keller, in *Applications of Bifurcation Theory* (1977).
 
 from __future__ import annotations
 
+import functools
 import itertools
 import math
 import warnings
@@ -17,7 +18,7 @@ import equinox as eqx
 import jax
 import numpy as np
 
-from polhode.algebra._closures import take_apart
+from polhode.algebra._closures import Closure, take_apart
 from polhode.analysis._conserved import Energy, Source
 from polhode.systems.base import AbstractLiePoissonSystem
 from polhode.types import Array, Complex128, Double, Float64
@@ -107,7 +108,7 @@ _compute_local = eqx.filter_jit(_local)  # kept between families, as is what the
 
 
 @eqx.filter_jit
-def _call(function: Callable[..., _Local], value: Array, z: Array) -> _Local:
+def _call(function: Closure, value: Array, z: Array) -> _Local:
     return function(value, z)
 
 
@@ -158,7 +159,9 @@ class Family:
             family = take_apart(lambda value, x: _local(self._make(value), self._casimirs, x), np.zeros(()), z)
         except Exception:  # `make` wants a number, as it may; its own errors come again from below
             return lambda value, x: _compute_local(self._make(float(value)), self._casimirs, x)
-        return lambda value, x: _call(family, np.asarray(value, float), x)
+        # kept for all that do the same if it is data, and with this family alone if not: no other can use it
+        call = functools.partial(_call, family) if isinstance(family, Closure) else jax.jit(family)
+        return lambda value, x: call(np.asarray(value, float), x)
 
     def _at(self, z: Array, value: float) -> _Local:
         return _Local(*map(np.asarray, self._compiled(value, z)))
