@@ -21,11 +21,12 @@ from polhode.types import Array, ArrayLike, Float64, Real
 class LiePoisson(AbstractLiePoissonSystem):
     """The motion of a Hamiltonian given as a function of one point.
 
-    Numbers in a function, its variables' too, are read when the system is made, and are data from then on: what is
-    compiled serves all functions that do the same with other numbers, and derivatives go by numbers that JAX traces. To
-    have parameters by name, give them next to the function, as ``jax.tree_util.Partial(function, parameters)`` with
-    H(parameters, point), or as the fields of an ``equinox.Module`` with ``__call__``. Functions with derivatives of
-    their own (``jax.custom_jvp``) or callbacks stay as they are, and each of them is compiled.
+    Numbers in a function, its variables' too, are read when the system is made (of a jitted function, when JAX first
+    traced it), and are data from then on: what is compiled serves all functions that do the same with other numbers,
+    and derivatives go by numbers that JAX traces. To have parameters by name, give them next to the function, as
+    ``jax.tree_util.Partial(function, parameters)`` with H(parameters, point), or as the fields of an
+    ``equinox.Module`` with ``__call__``. Functions with derivatives of their own (``jax.custom_jvp``) or callbacks stay
+    as they are, and each of them is compiled.
 
     Args:
         algebra: the Lie algebra.
