@@ -1,7 +1,15 @@
 """Closures as data: those of one code share what is compiled, and each keeps its own numbers."""
 
+import copy
 import functools
+import gc
+import os
 import pickle
+import re
+import subprocess
+import sys
+import weakref
+from pathlib import Path
 from typing import Any
 
 import equinox as eqx
@@ -14,7 +22,10 @@ import polhode as ph
 from polhode import algebra as lie
 from polhode.algebra._closures import Closure, take_apart
 from polhode.analysis import equilibria
+from polhode.analysis._branches import Family
 from polhode.analysis._branches import _call as derivatives_along
+from polhode.analysis._conserved import Own
+from polhode.errors import InvalidInput
 from polhode.systems import BodyInPotential, LiePoisson
 
 POINT = np.array([0.3, 1.8, 1.5])
@@ -183,6 +194,86 @@ def test_functions_that_can_be_pickled_still_are():
     assert pickle.loads(pickle.dumps(other)) == other != system
 
 
+QUADRATIC = [False]
+
+
+def energy_that_branches(m):
+    return 3.0 * m[0] + (5.0 * m[1] * m[1] if QUADRATIC[0] else 5.0 * m[1])
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy])
+def test_copies_do_as_the_system_they_are_copies_of(copied, monkeypatch):
+    system = LiePoisson(lie.SO3(), energy_that_branches)
+    monkeypatch.setattr(sys.modules[__name__], "QUADRATIC", [True])
+    assert copied(system) == system and copied(system.hamiltonian) == system.hamiltonian
+    assert float(copied(system).energy(jnp.asarray(POINT))) == float(system.energy(jnp.asarray(POINT)))
+
+
+OTHER_ENERGIES = {
+    "other operations": energy_that_branches,
+    "more numbers": lambda m: 3.0 * m[0] + 5.0 * m[1] + 0.0,
+    "derivatives of its own": lambda m: doubled(m[0]),
+}
+
+
+@pytest.mark.parametrize("other", OTHER_ENERGIES.values(), ids=OTHER_ENERGIES)
+def test_pickled_numbers_do_not_go_with_other_operations(other, monkeypatch):
+    system = LiePoisson(lie.SO3(), energy_that_branches)
+    pickled = pickle.dumps(system)
+    assert pickle.loads(pickled) == system
+    here = sys.modules[__name__]
+    monkeypatch.setattr(here, "QUADRATIC", [True])
+    monkeypatch.setattr(here, "energy_that_branches", other)
+    with pytest.raises(InvalidInput, match=r"operations that it had when it was pickled.*make the system anew"):
+        pickle.loads(pickled)
+
+
+def test_other_processes_compare_by_the_same_digest():
+    """Of loops, branches, indices and solvers, whose parameters are enumerations, sharding and the like."""
+    script = (
+        "import sys, jax.numpy as jnp; sys.path.insert(0, sys.argv[1]); import test_closures as t; "
+        "made = [*(one(0.7) for one in t.SAME_CODE), t.energy_of_many_kinds]; "
+        "print(*(t.take_apart(one, t.SPACE).code.digest for one in made))"
+    )
+    found = []
+    for seed in ("1", "2"):
+        environment = {**os.environ, "PYTHONHASHSEED": seed}
+        made = subprocess.run([sys.executable, "-c", script, str(Path(__file__).parent)], env=environment, check=True,
+                              capture_output=True, text=True)  # fmt: skip
+        found.append(made.stdout.split())
+    assert found[0] == found[1] and len(set(found[0])) == len(SAME_CODE) + 1
+
+
+def energy_of_many_kinds(m):
+    matrix = jnp.outer(m, m) + jnp.eye(3)
+    sorted_m = jnp.sort(m)[jnp.argmax(m)]
+    return jnp.linalg.solve(matrix, m)[0] + jnp.linalg.eigvalsh(matrix)[2] + m[jnp.array([0, 2])].sum() + sorted_m
+
+
+@pytest.mark.parametrize("point", [[1, 2, 3], jnp.array([1, 2, 3]), np.array([1.0, 2.0, 3.0], np.float32)])
+def test_points_may_have_whole_numbers_and_other_precisions(point):
+    system = LiePoisson(lie.SO3(), lambda m: 0.5 * jnp.sum(m**2), {"spin": lambda m: 1.5 * m[2]})
+    assert (float(system.hamiltonian(point)), float(system.conserved["spin"](point))) == (7.0, 4.5)
+
+
+def test_functions_of_one_point_refuse_many():
+    system = LiePoisson(lie.SO3(), lambda m: jnp.sum(m**2))
+    refusal = re.escape("takes an array of shape (3,); got an array of shape (5, 3).") + ".*jax.vmap"
+    with pytest.raises(InvalidInput, match=refusal):
+        system.hamiltonian(jnp.ones((5, 3)))
+    np.testing.assert_array_equal(jax.vmap(system.hamiltonian)(jnp.ones((5, 3))), np.full(5, 3.0))
+    with pytest.raises(InvalidInput, match="got arrays of shape"):
+        system.hamiltonian(*jnp.ones((2, 3)))
+    with pytest.raises(InvalidInput, match="must be real"):
+        system.hamiltonian(jnp.ones(3) * 1j)
+
+
+def test_closures_may_be_keys():
+    one, same, other = (take_apart(by_array(a), SPACE) for a in (0.7, 0.7, 0.9))
+    assert len({one, same, other}) == 2
+    assert float(jax.jit(one)(POINT)) == pytest.approx(float(by_array(0.7)(POINT)))
+
+
 @pytest.mark.parametrize("scale", [0.7, jnp.float64(0.7)])
 def test_single_numbers_count_however_they_are_held(scale):
     closure = take_apart(lambda m: scale * m[0], SPACE)
@@ -218,6 +309,21 @@ def test_equilibria_of_a_second_family_compile_nothing():
         counts.append(compiled(begin) - before)
         assert [b.value for b in continuation.bifurcations] == pytest.approx([2.0 * axis])
     assert counts == [1, 0]
+
+
+def test_families_that_are_no_data_are_given_back():
+    """No other family can use what is compiled for them: it must not keep them and what they hold."""
+
+    def used():
+        rectify: Any = jax.nn.relu  # has derivatives of its own
+        family = Family(lambda field: LiePoisson(lie.SO3(), lambda m: rectify(0.5 * m[2] ** 2) - field * m[0]),
+                        Own(lie.SO3()), POINT, 0.0, 1.0)  # fmt: skip
+        assert family.equations(POINT, 0.5).energy == pytest.approx(0.5 * POINT[2] ** 2 - 0.5 * POINT[0])
+        return weakref.ref(family)
+
+    left = used()
+    gc.collect()
+    assert left() is None
 
 
 def test_potentials_of_one_code_are_one_structure():

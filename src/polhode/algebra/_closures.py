@@ -7,7 +7,9 @@ jaxpr and not off Python's code, so that it does not matter where a function has
 
 from __future__ import annotations
 
+import hashlib
 import itertools
+import re
 from collections.abc import Callable, Hashable, Iterable
 from typing import Any, NamedTuple
 
@@ -16,7 +18,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from polhode._base.arrays import is_traced
+from polhode._base.arrays import is_traced, refuse_complex
 from polhode._base.jaxprs import (
     CALLS,
     NAMED,
@@ -30,6 +32,8 @@ from polhode._base.jaxprs import (
     is_jaxpr,
     names_within,
 )
+from polhode.algebra.base import HashableModule
+from polhode.errors import InvalidInput, shown
 from polhode.types import Array, Double, Float64
 
 Shapes = tuple[tuple[tuple[int, ...], Any], ...]
@@ -98,10 +102,15 @@ class Code:
         return self is other or (isinstance(other, Code) and self._hash == other._hash and self._key == other._key)
 
     def __repr__(self) -> str:
-        return f"<operations of {getattr(self.function, '__qualname__', self.function)}>"
+        return f"<operations of {_name(self.function)}>"
+
+    @property
+    def digest(self) -> str:
+        """Of what it is compared by; the same in every process."""
+        return hashlib.sha256(_write(self._key).encode()).hexdigest()
 
 
-class Closure(eqx.Module):
+class Closure(HashableModule):
     """A function of arrays, with the numbers that it had when it was taken apart.
 
     Attributes:
@@ -117,11 +126,44 @@ class Closure(eqx.Module):
     def __call__(self, *arguments: Any) -> Any:
         numbers: Any = self.numbers if is_traced(self.numbers) else np.asarray(self.numbers)
         enclosed = [numbers[k] for k in range(len(numbers))], self.arrays
-        return jax.tree.unflatten(self.code.form, self.code.body.run(enclosed, map(jnp.asarray, arguments)))
+        return jax.tree.unflatten(self.code.form, self.code.body.run(enclosed, self._converted(arguments)))
+
+    def _converted(self, arguments: tuple[Any, ...]) -> list[Array]:
+        """Return arguments as arrays of the types that the operations were read for.
+
+        Raises:
+            InvalidInput: for other shapes, for which the function might do other operations.
+        """
+        given, name = [jnp.asarray(x) for x in arguments], _name(self.code.function)
+        shapes, kinds = zip(*self.code.shapes, strict=True)
+        if tuple(x.shape for x in given) != shapes:
+            raise InvalidInput(
+                f"`{name}` takes {_list(shapes)}; got {_list(x.shape for x in given)}. For many points at once, use "
+                "`jax.vmap` of it."
+            )
+        for x, kind in zip(given, kinds, strict=True):
+            if not jnp.issubdtype(kind, jnp.complexfloating):
+                refuse_complex(f"argument of {name}", x)
+        return [x if x.dtype == kind else x.astype(kind) for x, kind in zip(given, kinds, strict=True)]
+
+    def __copy__(self) -> Closure:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Closure:  # nothing of it changes, and a function read again may do so
+        return self
 
     def __reduce__(self) -> Any:
         code = self.code
-        return _take_apart_again, (code.function, code.shapes, self.numbers, self.arrays)
+        return _take_apart_again, (code.function, code.shapes, self.numbers, self.arrays, code.digest)
+
+
+def _name(function: Any) -> str:
+    return getattr(function, "__qualname__", None) or shown(function)
+
+
+def _list(shapes: Iterable[tuple[int, ...]]) -> str:
+    texts = [str(shape) for shape in shapes]
+    return f"{'an array' if len(texts) == 1 else 'arrays'} of shape {' and '.join(texts)}"
 
 
 def take_apart(function: Callable[..., Any], *arguments: Any) -> Callable[..., Any]:
@@ -144,7 +186,8 @@ def take_apart(function: Callable[..., Any], *arguments: Any) -> Callable[..., A
     try:
         body, key = _take(Listing(closed, NAMED), taken)
         shapes = tuple((tuple(np.shape(x)), jnp.result_type(x)) for x in arguments)
-        code = Code((key, shapes), body, jax.tree.structure(results), function, shapes)
+        counts = len(taken.numbers), len(taken.arrays)
+        code = Code((key, shapes, counts), body, jax.tree.structure(results), function, shapes)
     except (NoRule, TypeError):  # what cannot be hashed
         return function
     with jax.ensure_compile_time_eval():  # so that numbers are known, too, where other things are traced
@@ -153,8 +196,19 @@ def take_apart(function: Callable[..., Any], *arguments: Any) -> Callable[..., A
     return Closure(numbers, arrays, code)
 
 
-def _take_apart_again(function: Callable[..., Any], shapes: Shapes, numbers: Array, arrays: Any) -> Any:
+def _take_apart_again(function: Callable[..., Any], shapes: Shapes, numbers: Array, arrays: Any, digest: str) -> Any:
+    """Return a closure that was pickled.
+
+    Raises:
+        InvalidInput: if its function does something else now.
+    """
     read = take_apart(function, *(jax.ShapeDtypeStruct(*shape) for shape in shapes))
+    if not isinstance(read, Closure) or read.code.digest != digest:
+        raise InvalidInput(
+            f"`{_name(function)}` must have the operations that it had when it was pickled, to which the pickled "
+            "numbers belong; its code, or something that it reads, or JAX has changed since. Undo that, or make the "
+            "system anew."
+        )
     return eqx.tree_at(lambda one: (one.numbers, one.arrays), read, (numbers, arrays))
 
 
@@ -229,3 +283,14 @@ def _by_value(value: Any) -> Hashable:
         raise NoRule("a traced value that is no real number")
     number = np.asarray(value)
     return type(value), number.shape, str(number.dtype), number.tobytes()
+
+
+def _write(key: Any) -> str:
+    """Return what code is compared by as text, without what differs between processes: addresses, orders of sets."""
+    if isinstance(key, tuple):
+        return f"({', '.join(map(_write, key))})"
+    if isinstance(key, frozenset):
+        return f"{{{', '.join(sorted(map(_write, key)))}}}"
+    if isinstance(key, type):
+        return f"{key.__module__}.{key.__qualname__}"
+    return re.sub(r" at 0x[0-9a-fA-F]+", "", repr(key))
