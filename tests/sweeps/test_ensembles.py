@@ -86,6 +86,13 @@ def test_a_last_digit_is_noticed(tmp_path, monkeypatch):
         agree(evaluator(tmp_path, "about middle", ["regime", "energy"]))
 
 
+def test_samples_do_not_depend_on_the_chunk_that_they_are_in(tmp_path):
+    found = evaluator(tmp_path, "directions", [*NUMBERS, "states.attitude"], 'times = ["0.5 s", "7 s"]')
+    whole, *parts = (found.chunk(low, high).values for low, high in ((0, 12), (0, 5), (5, 6), (6, 12)))
+    for name, values in whole.items():
+        assert np.concatenate([part[name] for part in parts]).tobytes() == np.asarray(values).tobytes(), name
+
+
 LEANS = ('lean = "20 deg"', 'lean = "0 deg"', 'lean = "180 deg"')
 STARTS = ('spin = "1500 rpm"\nprecession = "slow"', 'spin = "1500 rpm"', "precession = \"3 rad/s\"")
 
