@@ -1,11 +1,15 @@
 """Samples whose motions go by steps are followed together, and each has the answers of its own report."""
 
+import weakref
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from polhode.errors import NotConverged
 from polhode.kinds import stepping
 from polhode.reports.answer import plain
+from polhode.reports.base import MotionReport
 from polhode.sweeps.columns import pick
 from polhode.sweeps.evaluation import Evaluator
 from polhode.sweeps.plan import read_plan
@@ -91,6 +95,48 @@ def test_samples_kept_at_once_have_room(tmp_path, monkeypatch, factor, sizes):
     monkeypatch.setattr(stepping, "simulate", lambda *args, **more: runs.append(args[1]) or simulate(*args, **more))
     found.chunk(0, 4)
     assert [len(state) for state in runs if np.ndim(state) == 2] == sizes  # one that is left goes alone
+
+
+TWO_SYSTEMS = '"body.moments.3" = { grid = ["4 kg*m^2", "4.5 kg*m^2"] }\n'
+ORDERS = {
+    "one system": ("", range(8), [4, 4]),
+    "two one after the other": (TWO_SYSTEMS, range(8), [4, 4]),
+    "two by turns": (TWO_SYSTEMS, (0, 4, 1, 5, 2, 6, 3, 7), [2, 2, 2, 2]),
+}
+
+
+@pytest.mark.parametrize("case", ORDERS)
+def test_batches_are_made_when_due_and_leave_when_they_are_over(tmp_path, monkeypatch, case):
+    grid, order, sizes = ORDERS[case]
+    path, runs, numbers = tmp_path / "case.toml", [], 40 * 10  # of samples and components of one motion
+    kept = weakref.WeakValueDictionary()
+    tables, varied, _ = CASES["heavy-top"]
+    samples = 4 if grid else 8
+    path.write_text(f'{tables}{TIME}[sweep]\nsamples = {samples}\noutputs = ["tilt.largest"]\n'
+                    f"[sweep.inputs]\n{varied}{grid}")  # fmt: skip
+    found = Evaluator(read_plan(path))
+    inputs = found.draw_inputs(0, 8)
+    specs = [found.make_spec(inputs, k) for k in order]
+    room, simulate = 4, stepping.simulate
+    monkeypatch.setattr(stepping, "LIMITS", stepping.SteppingLimits(max_numbers=1.01 * room * numbers))
+
+    def watched(*args, **more):
+        trajectory = simulate(*args, **more)
+        trajectory = replace(trajectory, states=np.array(trajectory.states))  # views of which keep it
+        kept[len(runs)] = trajectory.states
+        runs.append(trajectory.states.size)
+        return trajectory
+
+    monkeypatch.setattr(stepping, "simulate", watched)
+    reports = []
+    for k, report in enumerate(found.plan.kind.reports(specs)):
+        assert isinstance(report, MotionReport)
+        reports.append(report)
+        assert len(runs) <= k + 1, "a run was made before its first report was due"
+        assert sum(runs[run] for run in kept) <= room * numbers
+    assert runs == [size * numbers for size in sizes] and not kept
+    for spec, report in zip(specs, reports, strict=True):
+        assert np.array_equal(report.trajectory.states, spec.motion().trajectory.states)
 
 
 def test_verdicts_are_left_out_where_no_output_asks_for_them(tmp_path, monkeypatch):

@@ -103,50 +103,60 @@ def report_on_each(
         try:
             with spec.within_double_precision():
                 start = begin(spec)
-                together.setdefault(k if start.key is None else start.key, []).append(k)
+                key = start.key
+            together.setdefault(k if key is None else key, []).append(k)
             starts.append(start)
         except (InvalidInput, NotConverged) as error:
             starts.append(error)
-    followed: dict[int, Trajectory] = {}
-    for copies in together.values():
-        followed |= _follow_together(starts, copies)
+    blocks = {copies[0]: copies for copies in _blocks(starts, list(together.values()))}
+    followed: dict[int, tuple[Trajectory, int]] = {}  # a batch is kept until its last copy is taken
     for k, spec in enumerate(specs):
         start = starts[k]
         if not isinstance(start, Start):
             yield start
             continue
+        if k in blocks:
+            followed |= _follow_together(starts, blocks[k])
         try:
             with spec.within_double_precision():
-                yield start.report(followed.pop(k), ()) if k in followed else start.make_report()
+                yield start.report(copy_of(*followed.pop(k)), ()) if k in followed else start.make_report()
         except (InvalidInput, NotConverged) as error:
             yield error
 
 
-def _follow_together(starts: Sequence[Any], copies: list[int]) -> dict[int, Trajectory]:
-    """Return the trajectories of copies of one system; none where a warning or an error may be of one among them."""
-    first, found = starts[copies[0]], {}
-    block = max(2, int(LIMITS.max_numbers / (len(first.times) * np.size(first.state))))
-    for begin in range(0, len(copies), block):
-        some = copies[begin : begin + block]
-        if len(some) < 2:
-            continue
-        states = np.stack([np.asarray(starts[k].state) for k in some])
-        try:
-            with warnings.catch_warnings(record=True) as caught:
-                warnings.simplefilter("always")
-                trajectory, warned = first._replace(state=states).follow()
-        except (InvalidInput, NotConverged, ArithmeticError):
-            continue
-        if not (warned or caught):
-            found |= {k: copy_of(trajectory, row) for row, k in enumerate(some)}
-    return found
+def _blocks(starts: Sequence[Any], groups: Sequence[list[int]]) -> Iterator[list[int]]:
+    """Yield the copies of one system that are followed in one run.
+
+    A run is made when the report on its first copy is due, and kept up to its last. So only groups that overlap have
+    runs at once, and share the room.
+    """
+    groups = [copies for copies in groups if len(copies) > 1]
+    for copies in groups:
+        overlapping = sum(other[0] <= copies[-1] and copies[0] <= other[-1] for other in groups)
+        first = starts[copies[0]]
+        size = max(1, int(LIMITS.max_numbers / overlapping / (len(first.times) * np.size(first.state))))
+        for begin in range(0, len(copies), size):
+            if len(some := copies[begin : begin + size]) > 1:
+                yield some
+
+
+def _follow_together(starts: Sequence[Any], copies: list[int]) -> dict[int, tuple[Trajectory, int]]:
+    """Return the batch and the row of copies of one system; none where a warning or an error may be of one of them."""
+    states = np.stack([np.asarray(starts[k].state) for k in copies])
+    try:
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            trajectory, warned = starts[copies[0]]._replace(state=states).follow()
+    except (InvalidInput, NotConverged, ArithmeticError):
+        return {}
+    return {} if warned or caught else {k: (trajectory, row) for row, k in enumerate(copies)}
 
 
 def copy_of(trajectory: Trajectory, k: int) -> Trajectory:
-    """Return one copy of a batch along one axis."""
+    """Return one copy of a batch along one axis, in arrays of its own, as a view would keep the batch."""
 
     def one(values: Any) -> Any:
-        return None if values is None else np.asarray(values)[k]
+        return None if values is None else np.asarray(values)[k].copy()
 
     each = {name: {key: one(value) for key, value in getattr(trajectory, name).items()}
             for name in ("invariants", "balances", "received", "drift", "observed")}  # fmt: skip
