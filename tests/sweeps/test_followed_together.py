@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from polhode.errors import NotConverged
+from polhode.errors import InvalidInput, NotConverged
 from polhode.kinds import stepping
 from polhode.reports.answer import plain
 from polhode.reports.base import MotionReport
@@ -137,6 +137,59 @@ def test_batches_are_made_when_due_and_leave_when_they_are_over(tmp_path, monkey
     assert runs == [size * numbers for size in sizes] and not kept
     for spec, report in zip(specs, reports, strict=True):
         assert np.array_equal(report.trajectory.states, spec.motion().trajectory.states)
+
+
+HUGE = """
+[system]
+kind = "gyrostat"
+rotor_axis = [0.0, 0.0, 1.0]
+rotor_moment = "1e79 kg*m^2"
+rotor_rate = "1e73 rad/s"
+[body]
+moments = ["2e80 kg*m^2", "3e80 kg*m^2", "4e80 kg*m^2"]
+[spin]
+about = 3
+tilt = "10 deg"
+[time]
+until = "1e-74 s"
+samples = 5
+[sweep]
+outputs = [OUTPUT]
+[sweep.inputs]
+"spin.rate" = { grid = ["1e70 rad/s", "2e70 rad/s", "1e74 rad/s", "2e74 rad/s"] }
+"""
+
+
+@pytest.mark.filterwarnings("ignore:.*beyond double precision")
+@pytest.mark.parametrize("output", ["momentum_norm", "final.angular_velocity"])
+def test_a_sample_whose_own_report_is_refused_is_refused(tmp_path, output):
+    path = tmp_path / "huge.toml"
+    path.write_text(HUGE.replace("OUTPUT", f'"{output}"'))
+    found = Evaluator(read_plan(path))
+    chunk, inputs = found.chunk(0, 4), found.draw_inputs(0, 4)
+    for k in range(2):
+        assert found.make_spec(inputs, k).report().summary
+    said = []
+    for k in range(2, 4):
+        with pytest.raises(InvalidInput, match="momentum_norm") as refusal:
+            found.make_spec(inputs, k).report()
+        said.append((k, str(refusal.value)))
+    assert chunk.values["sample_status"].tolist() == ["done", "done", "refused", "refused"]
+    assert chunk.reasons == said
+
+
+def test_an_infinite_answer_that_no_sentence_says_is_undefined(tmp_path, monkeypatch):
+    from polhode.kinds.heavy_top.answers import HeavyTopReport
+    from polhode.reports.answer import Answer, Group
+
+    usual = HeavyTopReport.iterate_answers
+    monkeypatch.setattr(HeavyTopReport, "iterate_answers",
+                        lambda report: [Group("", [Answer("flip_interval", np.inf)]), *usual(report)])  # fmt: skip
+    found = evaluator(tmp_path, "heavy-top", ["tilt.largest"])
+    assert found.chunk(0, 4).values["sample_status"].tolist() == ["done"] * 4
+    monkeypatch.setattr(HeavyTopReport, "summary", "It leans by inf°.")
+    chunk = found.chunk(0, 4)
+    assert chunk.values["sample_status"].tolist() == ["refused"] * 4 and "would say inf" in chunk.reasons[0][1]
 
 
 def test_verdicts_are_left_out_where_no_output_asks_for_them(tmp_path, monkeypatch):

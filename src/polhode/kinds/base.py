@@ -404,9 +404,18 @@ class Spec(Generic[TableT]):
                 name = self.kind.name
                 raise InvalidInput(f"`report` of the kind {name} must return a SystemReport; got {shown(report)}.")
             named = replace(report, name=self.name, drawings=partial(figures_of, self.kind))
-            if wrong := NOT_FINITE.search("\n".join([named.summary, *named.notes])):
-                raise OverflowError(f"its sentences would say {wrong.group()}")
+            self.check_sentences(named)
         return named
+
+    def check_sentences(self, report: SystemReport) -> None:
+        """Refuse a report on the spec whose summary or notes would say numbers that are not finite.
+
+        Raises:
+            InvalidInput: for these, and for sentences that cannot be made.
+        """
+        with self.within_double_precision():
+            if wrong := NOT_FINITE.search("\n".join([report.summary, *report.notes])):
+                raise OverflowError(f"its sentences would say {wrong.group()}")
 
     def motion(self) -> SpecMotion:
         """Return the motion without the answers; see ``AbstractKind.motion``."""

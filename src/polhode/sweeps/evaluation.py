@@ -65,6 +65,18 @@ class Chunk(NamedTuple):
     reasons: list[tuple[int, str]]
 
 
+class Found(NamedTuple):
+    """Answers about a sample.
+
+    Attributes:
+        values: by name, as in the JSON.
+        groups: that they are from.
+    """
+
+    values: dict[str, Any]
+    groups: Sequence[Group | Table]
+
+
 @dataclass(frozen=True, eq=False)
 class Evaluator:
     """Computes the samples of a plan."""
@@ -257,27 +269,35 @@ class Evaluator:
     def _reports(self, specs: list[Spec]) -> Iterable[SystemReport | InvalidInput | NotConverged | None]:
         return self.plan.kind.reports(specs) if self._needs_reports else [None] * len(specs)
 
-    def _answers(
-        self, spec: Spec, report: SystemReport | InvalidInput | NotConverged | None = None
-    ) -> tuple[dict[str, Any], Sequence[Group | Table]]:
-        """Return answers as in the JSON, with all outputs, and their groups; none that no output needs.
+    def _answers(self, spec: Spec, report: SystemReport | InvalidInput | NotConverged | None = None) -> Found:
+        """Return answers with all outputs; none that no output needs.
 
         A motion is computed only if an output needs one.
 
         Args:
             spec: of the sample.
             report: on it, where some answer needs one, or why there is none.
+
+        Raises:
+            InvalidInput, NotConverged: where the sample's own report does, for what was computed.
         """
         if not self._wanted:
-            return {}, []
+            return Found({}, [])
         if isinstance(report, InvalidInput | NotConverged):
             raise report
         if report is None:
-            if answers := _take_until(self._wanted, spec.kind.answers_without_motion(spec)):
-                return answers
+            found = _take_until(self._wanted, spec.kind.answers_without_motion(spec))
+            if found and _are_finite(found):
+                return found
             report = spec.report()
         with spec.within_double_precision():
-            return _take_until(self._wanted, report.iterate_answers()) or (report.as_json_dict(), report.answers)
+            found = _take_until(self._wanted, report.iterate_answers())
+            found = found or Found(report.as_json_dict(), report.answers)
+        # sentences may need what no output does, so they are made only where some number is infinite: as that of an
+        # interval between flips may be, or as one that has left double precision, which the sample's own report refuses
+        if not _are_finite(found):
+            spec.check_sentences(report)
+        return found
 
     def _trajectory(self, spec: Spec) -> Trajectory:
         """Return the motion with samples at the times of the states."""
@@ -285,14 +305,26 @@ class Evaluator:
         return replace(spec, until=times[-1], samples=len(times), instants=times).motion().trajectory
 
 
-def _take_until(
-    wanted: Sequence[str], answers: Iterable[Group | Table]
-) -> tuple[dict[str, Any], Sequence[Group | Table]] | None:
-    """Return answers as in the JSON, and their groups, up to the last wanted one; None if one is missing."""
+def _take_until(wanted: Sequence[str], answers: Iterable[Group | Table]) -> Found | None:
+    """Return the answers up to the last wanted one; None if one is missing."""
     groups: list[Group | Table] = []
     for group in answers:
         groups.append(group)
         values = plain(collect_values(groups))
         if all(has_answer(values, name) for name in wanted):
-            return values, groups
+            return Found(values, groups)
     return None
+
+
+def _are_finite(found: Found) -> bool:
+    """Return whether all numbers among answers are finite, which the JSON has as undefined otherwise."""
+
+    def finite(value: Any) -> bool:
+        if isinstance(value, dict):
+            return all(map(finite, value.values()))
+        if isinstance(value, list | tuple):
+            return all(map(finite, value))
+        numbers = np.asarray(value)
+        return numbers.dtype.kind not in "fc" or bool(np.isfinite(numbers).all())
+
+    return finite(collect_values(found.groups))
