@@ -42,7 +42,9 @@ def run(tmp_path, monkeypatch, capsys):
     def call(*arguments):
         with pytest.raises(SystemExit) as stopped:
             main(["export", "case.toml", *arguments])
-        return stopped.value.code or 0, *capsys.readouterr()
+        out, err = capsys.readouterr()
+        old = "polhode: leap seconds are known until"  # with an old library, said once
+        return stopped.value.code or 0, out, "".join(line for line in err.splitlines(True) if not line.startswith(old))
 
     return call
 
