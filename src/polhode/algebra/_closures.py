@@ -126,9 +126,9 @@ class Closure(HashableModule):
     def __call__(self, *arguments: Any) -> Any:
         numbers: Any = self.numbers if is_traced(self.numbers) else np.asarray(self.numbers)
         enclosed = [numbers[k] for k in range(len(numbers))], self.arrays
-        return jax.tree.unflatten(self.code.form, self.code.body.run(enclosed, self._converted(arguments)))
+        return jax.tree.unflatten(self.code.form, self.code.body.run(enclosed, self._convert(arguments)))
 
-    def _converted(self, arguments: tuple[Any, ...]) -> list[Array]:
+    def _convert(self, arguments: tuple[Any, ...]) -> list[Array]:
         """Return arguments as arrays of the types that the operations were read for.
 
         Raises:
@@ -167,7 +167,7 @@ def _list(shapes: Iterable[tuple[int, ...]]) -> str:
 
 
 def take_apart(function: Callable[..., Any], *arguments: Any) -> Callable[..., Any]:
-    """Return a function of arrays as a ``Closure``, or as it is where that is no gain.
+    """Return a function of arrays as a ``Closure``, or as it is where that gains nothing.
 
     Modules and ``Partial`` have their numbers as data already. Operations that hold functions of Python, such as
     derivatives of a user's own, cannot be compared.

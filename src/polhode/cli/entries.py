@@ -113,7 +113,7 @@ def keep_entry(packed: bytes, origin: Origin, place: Path) -> None:
     if len(content) > LARGEST:
         return
     write_sealed(place, content)
-    drop_oldest([path for path in place.parent.iterdir() if _ending(path) == _ending(place)], MOST)
+    drop_oldest([path for path in place.parent.iterdir() if _find_ending(path) == _ending(place)], MOST)
 
 
 @contextlib.contextmanager
@@ -152,6 +152,6 @@ def _time_of_change(path: Path) -> float:
     return max(status.st_mtime_ns, status.st_ctime_ns)
 
 
-def _ending(path: Path) -> str:
+def _find_ending(path: Path) -> str:
     """Return the ending of an entry; drafts that were left behind go with the reports."""
     return path.suffix if path.suffix in (PAGE, WRITTEN) else REPORT

@@ -1,4 +1,4 @@
-"""Functions that Numba compiles when they are first called, and keeps where there are no images, under seals."""
+"""Functions that Numba compiles at their first call. Where there are no images it keeps them on disk, under seals."""
 
 from __future__ import annotations
 

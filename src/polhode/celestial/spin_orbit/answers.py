@@ -99,12 +99,13 @@ class SpinOrbitReport(MotionReport):
 
     @property
     def answers(self) -> list[Group | Table]:
-        return [*self._before_motion(), Group("Motion", [*self._started(), *self._followed()])]
+        of_motion = [*self._list_answers_of_start(), *self._list_answers_of_motion()]
+        return [*self._before_motion(), Group("Motion", of_motion)]
 
     def iterate_answers(self) -> Iterator[Group | Table]:
         yield from self._before_motion()
-        yield Group("Motion", self._started())
-        yield Group("", self._followed())
+        yield Group("Motion", self._list_answers_of_start())
+        yield Group("", self._list_answers_of_motion())
 
     def _before_motion(self) -> list[Group | Table]:
         missing = [Group("", [Answer("mass", None), Answer("principal_moments", None)])] if self.body is None else []
@@ -158,7 +159,7 @@ class SpinOrbitReport(MotionReport):
         rows = [vars(resonance) for resonance in self.resonances]
         return Table("resonances", "Resonances of spin and orbit", columns, rows, units, shown=said)
 
-    def _started(self) -> list[Answer]:
+    def _list_answers_of_start(self) -> list[Answer]:
         angle, rate = (float(self.trajectory.part(name)[0]) for name in ("angle", "rate"))
         spin_ratio = rate / float(self.system.mean_motion)
         return [
@@ -168,7 +169,7 @@ class SpinOrbitReport(MotionReport):
             Answer("start.spin_ratio", spin_ratio, "", "", "turns per orbit"),
         ]
 
-    def _followed(self) -> list[Answer]:
+    def _list_answers_of_motion(self) -> list[Answer]:
         motion, n, held = self.motion, float(self.system.mean_motion), self.motion.libration
         # exponents have two digits, as they converge as slowly as ln t/t
         rate, chaotic = motion.exponent, motion.verdict == "chaotic"
