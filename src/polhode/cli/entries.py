@@ -113,7 +113,7 @@ def keep_entry(packed: bytes, origin: Origin, place: Path) -> None:
     if len(content) > LARGEST:
         return
     write_sealed(place, content)
-    drop_oldest([path for path in place.parent.iterdir() if _find_ending(path) == _ending(place)], MOST)
+    drop_oldest([path for path in place.parent.iterdir() if _find_ending(path) == _find_ending(place)], MOST)
 
 
 @contextlib.contextmanager
