@@ -94,8 +94,8 @@ def simulate(
         estimate_error: whether to run again and say by ``error_estimate`` how far the motion is from the true one. Our
             methods are run with other steps, and twice from starts a rounding away, which near a saddle grows to most
             of the error: this costs one and a half times the first run, four times where samples are a step apart; by
-            series twice to six times, most where errors grow, and five times by series of whole arrays. Adaptive steps
-            are run with another tolerance. Pulses shorter than 1/131072 of the time need ``jumps``.
+            series as much again, six times where errors grow or series are of whole arrays. Adaptive steps are run with
+            another tolerance. Pulses shorter than 1/131072 of the time need ``jumps``.
         save: every how many-th of the times is kept as a sample, so that a long run need not fill the memory; the steps
             are those to all times.
         resumable: whether the trajectory keeps its ``memory``, which needs a method of equal steps, or one state that

@@ -7,9 +7,9 @@ import pytest
 
 import polhode as ph
 from polhode.analysis import lyapunov, monodromy
-from polhode.integrators import _series_error
+from polhode.integrators import _series_comparison
 from polhode.systems.variations import Variations
-from polhode.taylor import switching
+from polhode.taylor import runs, switching
 from taylor.test_coefficients import OwnField
 
 HONEST = 30.0
@@ -31,8 +31,9 @@ def test_forced_steps_hide_no_growth_of_roundings(kind, step):
     assert 1e-13 < error < HONEST * found.error_estimate < 1e-4
 
 
-def test_without_other_starts_they_do(monkeypatch):
-    monkeypatch.setattr(_series_error, "starts_a_rounding_away", lambda system, state: [state, state])
+def test_without_other_starts_and_roundings_they_do(monkeypatch):
+    monkeypatch.setattr(_series_comparison, "starts_a_rounding_away", lambda system, state: [state, state])
+    monkeypatch.setattr(runs, "KICKS", 0.0 * runs.KICKS)
     assert ph.simulate(WithJumps((1.0, 2.0, 3.0)), [1e-7, 2.0, 1e-8], [0.0, 60.0]).error_estimate < 1e-14
 
 

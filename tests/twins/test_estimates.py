@@ -17,8 +17,9 @@ import pytest
 import polhode as ph
 from polhode import algebra as lie
 from polhode import fields, systems
-from polhode.integrators import LieMidpoint, Splitting, Taylor, _adaptive, _series_error
+from polhode.integrators import LieMidpoint, Splitting, Taylor, _adaptive, _series_comparison
 from polhode.integrators._difference import difference
+from polhode.taylor import runs
 from taylor.test_coefficients import OwnField
 
 HONEST = 30.0  # errors over estimates
@@ -220,9 +221,18 @@ def test_without_the_more_exact_run_it_is_not(monkeypatch):
 
 
 def test_without_other_roundings_it_is_not(monkeypatch):
-    """The control for Taylor: runs of the same order, reach and start."""
-    limits = _series_error.LIMITS._replace(more_orders=0, fewer_orders=0, reach_share=1.0)
+    """The control for Taylor: runs of the same order, reach and start, whose steps move no last place."""
+    limits = _series_comparison.LIMITS._replace(more_orders=0, fewer_orders=0, reach_share=1.0)
     for name, value in (("LIMITS", limits), ("starts_a_rounding_away", lambda system, state: [state] * 2)):
-        monkeypatch.setattr(_series_error, name, value)
+        monkeypatch.setattr(_series_comparison, name, value)
+    monkeypatch.setattr(runs, "KICKS", 0.0 * runs.KICKS)
     with pytest.raises(AssertionError):
         judge(*errors_and_estimates(make(own_body, FEW), None, 1))
+
+
+def test_a_rounding_in_each_step_is_needed_where_companions_take_the_same_steps(monkeypatch):
+    """The control for their kicks: by equal steps, numbers that differ by less than a rounding are rounded alike."""
+    judge(*errors_and_estimates(make(double_well, MANY), None, 1))
+    monkeypatch.setattr(runs, "KICKS", 0.0 * runs.KICKS)
+    with pytest.raises(AssertionError):
+        judge(*errors_and_estimates(make(double_well, MANY), None, 1))

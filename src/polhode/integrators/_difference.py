@@ -26,19 +26,31 @@ def difference(
     the point of other algebras, each component of other systems and of those that name sizes of their own.
     """
     axis = one.ndim - 1 - system.state_axes
-    own = tuple(range(axis, one.ndim))
-    gap, size = np.abs(one - other), np.abs(one)
+    first = np.take(one, 0, axis=axis)
+    return relative_size(system, np.abs(one - other).max(axis=axis), np.abs(one).max(axis=axis), first)
+
+
+def relative_size(
+    system: AbstractSystem, gaps: Float64[Array, "*shape"], sizes: Float64[Array, "*shape"],
+    first: Double[Array, "*shape"],
+) -> Float64[Array, "..."]:
+    """Return the largest of gaps between two motions (batch…), relative to the sizes of a state's parts.
+
+    Args:
+        system: whose motions they are.
+        gaps: (batch…, …) the largest of each number along the motion.
+        sizes: (batch…, …) the largest of each number itself.
+        first: (batch…, …) state of the motion.
+    """
+    own = tuple(range(first.ndim - system.state_axes, first.ndim))
     if not _has_sizes_by_algebra(system):
-        shape = one.shape[axis + 1 :]
-        first = np.take(one, 0, axis=axis).reshape(-1, *shape)
-        scales = component_sizes(system, first)
-        scales = np.where(np.isinf(scales), 0.0, scales).reshape(*one.shape[:axis], *shape)
-        largest = np.maximum(size.max(axis=axis), scales)
-        return np.max(gap.max(axis=axis) / np.where(largest > 0, largest, 1.0), axis=own[:-1])
-    turns, shares = system.parts(one).attitude is not None, []
-    for place, part in enumerate(parts_with_units(system, one)):
-        largest = np.ones(size.shape[:axis]) if turns and place == 0 else size[part].max(axis=own)
-        shares.append(gap[part].max(axis=own) / np.where(largest > 0, largest, 1.0))
+        scales = component_sizes(system, first.reshape(-1, *first.shape[own[0] :])).reshape(first.shape)
+        largest = np.maximum(sizes, np.where(np.isinf(scales), 0.0, scales))
+        return np.max(gaps / np.where(largest > 0, largest, 1.0), axis=own)
+    turns, shares = system.parts(first).attitude is not None, []
+    for place, part in enumerate(parts_with_units(system, first)):
+        largest = np.ones(sizes.shape[: own[0]]) if turns and place == 0 else sizes[part].max(axis=own)
+        shares.append(gaps[part].max(axis=own) / np.where(largest > 0, largest, 1.0))
     return np.max(shares, axis=0)
 
 

@@ -21,7 +21,7 @@ from polhode.taylor.advancing import LIMITS as ADVANCING
 from polhode.taylor.array_series import Place, runs_of_arrays
 from polhode.taylor.expressions import Untraceable
 from polhode.taylor.machine import build_machine, count_operations
-from polhode.taylor.runs import Precision, Runs, choose_precision, run_copies
+from polhode.taylor.runs import Companions, Precision, Runs, choose_precision, run_copies
 from polhode.types import Array, Bool, Double, Float64
 
 PRECISIONS = "double", "extended"
@@ -217,6 +217,7 @@ def as_motion(
 def _by_arrays_or_tape(
     system: AbstractSystem, states: Array, times: np.ndarray, precision: Precision, longest: float,
     check: Callable[[float], None], by_arrays: bool, place: Place | None, late: Float64[np.ndarray, "copies"] | None,
+    companions: Companions | None,
 ) -> tuple[Runs, Place | None]:
     """Return runs by series of whole arrays where these pay and exist, otherwise by series of single numbers."""
     if by_arrays:
@@ -225,7 +226,7 @@ def _by_arrays_or_tape(
         except Untraceable:
             if place is not None:
                 raise
-    return run_copies(system, states, times, precision, longest, check, late=late), None
+    return run_copies(system, states, times, precision, longest, check, late=late, companions=companions), None
 
 
 def _find_place(memory: Sequence[Array], states: Double[Array, "copies ..."], first: float) -> Place:
@@ -258,12 +259,13 @@ def reporting(meter: Any) -> Iterator[tuple[Callable[[float], None], Callable[[]
 def run_or_refuse(
     system: AbstractSystem, states: Array, times: np.ndarray, last: float, precision: Precision, longest: float,
     report: Callable[[float], None], by_arrays: bool, place: Place | None = None,
-    late: Float64[np.ndarray, "copies"] | None = None,
+    late: Float64[np.ndarray, "copies"] | None = None, companions: Companions | None = None,
 ) -> tuple[Runs, Place | None]:
     """Return runs up to a last time, which need not be a sample, and where to resume; or say why there are none."""
     whole = times if times[-1] == last else np.append(times, last)
     try:
-        runs, place = _by_arrays_or_tape(system, states, whole, precision, longest, report, by_arrays, place, late)
+        runs, place = _by_arrays_or_tape(system, states, whole, precision, longest, report, by_arrays, place, late,
+                                         companions)
     except Untraceable as error:
         raise _refuse(system, error, precision.extended) from None
     if (steps := int(runs.steps.max())) >= ADVANCING.max_steps:

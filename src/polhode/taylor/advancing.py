@@ -33,8 +33,18 @@ LIMITS = AdvancingLimits()
 def begin_copies(
     machine: Machine, y: Float64[Array, "copies n"], scale: Float64[Array, "copies n"],
     samples: Float64[Array, "copies time n"], first: float, hits: int,
+    others: Float64[Array, "copies companions n"] | None = None,
 ) -> Copies:
-    """Return copies at a first time, which is that of the first sample, with room for so many events each."""
+    """Return copies at a first time, which is that of the first sample, with room for so many events each.
+
+    Args:
+        machine: that moves them.
+        y, scale: their states and the sizes of these.
+        samples: room for samples.
+        first: time [s].
+        hits: how many events there is room for.
+        others: states of companions; none for None.
+    """
     copies, n = y.shape
     now, counts = np.tile([first, 0.0, 1.0], (copies, 1)), np.tile([0, 1, 0, -1], (copies, 1))
     crossed = np.zeros((copies, hits, 2 + n))
@@ -43,7 +53,13 @@ def begin_copies(
     else:  # a state with more digits is not to be put back by numbers that have fewer
         wanted = slack = np.zeros((copies, 0))
     low = np.zeros((copies, 0 if machine.exact is None else n))
-    return Copies(y, low, scale, wanted, slack, np.zeros(copies, np.int64), samples, now, counts, crossed)
+    others = np.zeros((copies, 0, n)) if others is None else others
+    theirs, sizes = np.zeros((*others.shape[:2], wanted.shape[1])), np.zeros((copies, n))
+    if others.size:
+        values, _ = integrals_at(machine, others.reshape(-1, n)[:, : machine.form.size])
+        theirs, sizes = _finite(values).reshape(theirs.shape), np.abs(y)
+    return Copies(y, low, scale, wanted, slack, np.zeros(copies, np.int64), samples, now, counts, crossed, others,
+                  theirs, np.abs(others - y[:, None]), sizes)
 
 
 def advance_copies(
@@ -99,14 +115,15 @@ def outcome(
 def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, running: Array, most: int) -> None:
     code, values = write_code(use, machine.program, machine.integrals)
     limit = min(most, max(1, use.stretch // machine.program.length))
-    orders, watched, conserved = course.order + 1, len(course.falling), copies.wanted.shape[1]
+    orders = max(course.order, *course.orders) + 1 if course.companions else course.order + 1
+    watched, conserved = len(course.falling), copies.wanted.shape[1]
 
     def fill(low: int, high: int) -> None:
         part = slice(running[low], running[high - 1] + 1)
         rates = series_for(machine.program, orders, use.lanes, code)
         integrals = series_for(machine.integrals, 1, use.lanes, values, machine.integrals.outputs)
         exact = exact_for(machine.exact, machine.numbers, ORDERS_IN_PAIRS)
-        lanes = lanes_for(machine.program, exact, course.order, use.lanes, watched, conserved)
+        lanes = lanes_for(machine.program, exact, course.order, use.lanes, watched, conserved, course.companions)
         with np.errstate(all="ignore"):
             use.advance(rates, integrals, Copies(*(x[part] for x in copies)), lanes, course, limit)
 
@@ -145,4 +162,8 @@ def _evaluate_conserved(machine: Machine, y: Array, scale: Array) -> tuple[Array
     with np.errstate(all="ignore"):
         sizes = np.sum(np.abs(slopes) * finite[:, None], axis=-1)
     slack = LIMITS.relative_rounding * np.where(np.isfinite(sizes), sizes, 0.0)
-    return np.where(np.isfinite(values), values, 0.0), slack
+    return _finite(values), slack
+
+
+def _finite(values: Array) -> Array:
+    return np.where(np.isfinite(values), values, 0.0)

@@ -92,7 +92,9 @@ def runs_of_arrays(
     whole, nothing = np.stack([run.states for run in runs]), np.zeros((len(runs), 0))
     steps = np.array([run.steps for run in runs])
     received = np.zeros((*whole.shape[:2], 0))
-    return Runs(whole, received, status, none, end, whole[:, -1], nothing, steps, ()), runs[-1].place
+    none_beside = whole[:, :0]
+    joined = Runs(whole, received, status, none, end, whole[:, -1], nothing, steps, none_beside, nothing, ())
+    return joined, runs[-1].place
 
 
 def _balances(system: AbstractSystem, state: Array) -> Any:

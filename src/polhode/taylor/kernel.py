@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from polhode._base.compiled.copying import entry
+from polhode.taylor.kernel_companions import advance_companions, keep_companions, seat_companions
 from polhode.taylor.kernel_invariants import back_onto, compute_outputs, output
 from polhode.taylor.kernel_series import (
     advance_lanes,
@@ -79,12 +80,18 @@ def advance(rates: Series, integrals: Series, copies: Copies, lanes: Lanes, cour
                 lanes.states[course.clock * LANES + lane] = lanes.later[lane]
         if copies.wanted.shape[1]:
             back_onto(integrals, lanes, copies.wanted.shape[1])
+        if course.companions:
+            advance_companions(rates, integrals, copies, lanes, course)
         for lane in range(LANES):
             k = which[lane]
             if k != NOBODY and status[k] == RUNNING:
                 status[k] = finish_step(copies, lanes, course, lane)
             if k != NOBODY and status[k] != RUNNING:
+                keep_companions(copies, lanes, k, lane)
                 which[lane] = NOBODY
+    for lane in range(LANES):
+        if which[lane] != NOBODY:
+            keep_companions(copies, lanes, which[lane], lane)
 
 
 def in_lanes(series: Series) -> Series:
@@ -110,6 +117,7 @@ def seat_copies(copies: Copies, lanes: Lanes, course: Course, following: Any) ->
                 lanes.low[i * LANES + lane] = copies.low[k, i]
             for c in range(copies.wanted.shape[1]):
                 lanes.wanted[c * LANES + lane], lanes.slack[c * LANES + lane] = copies.wanted[k, c], copies.slack[k, c]
+            seat_companions(copies, lanes, k, lane)
             lanes.units[lane], lanes.left[lane] = copies.now[k, UNIT], abs(course.end - copies.now[k, TIME])
         taken += 1
     return following, taken
@@ -168,7 +176,7 @@ def evaluate_steps(rates: Series, copies: Copies, lanes: Lanes, course: Course) 
         if k != NOBODY and copies.status[k] == RUNNING:
             first, following = take_samples(copies, lanes, course, lane)
             sample_copy(rates, course, lane, copies.now[k, TIME], lanes.units[lane], k, first, following, copies.out)
-    advance_lanes(rates, lanes, course)
+    advance_lanes(rates, lanes, course.order)
 
 
 def take_samples(copies: Copies, lanes: Lanes, course: Course, lane: Any) -> tuple[Any, Any]:

@@ -11,7 +11,7 @@ from typing import Any
 
 from polhode._base.compiled.copying import called
 from polhode.special._doubledouble import add, divide, fast_two_sum, multiply, multiply_float
-from polhode.taylor.kernel_space import Course, Exact, Lanes, Series
+from polhode.taylor.kernel_space import Exact, Lanes, Series
 from polhode.taylor.program import (
     ARGUMENT,
     CODE,
@@ -43,7 +43,7 @@ def two_product(a: Any, b: Any) -> Pair:
     return p, ((ah * bh - p) + ah * bl + al * bh) + al * bl
 
 
-def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:
+def advance_lanes(series: Series, lanes: Lanes, order: Any) -> None:
     """Set state and its low part to those after a step, in place of the function of ``kernel_series``."""
     exact, width, h = lanes.exact, series.whole[SLOTS], lanes.steps[0]
     rows, size = exact.whole[SLOTS], series.whole[SIZE]
@@ -53,7 +53,7 @@ def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:
     for i in range(size):
         rest = 0.0
         # Horner's rule: the terms of high order in doubles, the first of them in two parts
-        for k in range(course.order, ORDERS_IN_PAIRS - 1, -1):
+        for k in range(order, ORDERS_IN_PAIRS - 1, -1):
             rest = rest * h + series.flat[k * width + i]
         value = rest, 0.0
         for k in range(ORDERS_IN_PAIRS - 1, -1, -1):

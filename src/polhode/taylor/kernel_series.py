@@ -260,13 +260,13 @@ def has_values(series: Series, lane: Any) -> Any:
     return True
 
 
-def advance_lanes(series: Series, lanes: Lanes, course: Course) -> None:
+def advance_lanes(series: Series, lanes: Lanes, order: Any) -> None:
     """Set the lanes' states to those after a step; ``kernel_extended`` has the same with twice as many digits."""
     width, z, y, steps = series.whole[SLOTS], series.z, vectors(lanes.states), vectors(lanes.steps)[0]
     for i in range(series.whole[SIZE]):
-        value = z[course.order * width + i]
+        value = z[order * width + i]
         # Horner's rule, from the smallest terms up
-        for k in range(course.order - 1, -1, -1):
+        for k in range(order - 1, -1, -1):
             value = value * steps + z[k * width + i]
         y[i] = value
 

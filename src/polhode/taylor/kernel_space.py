@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 NOBODY = -1  # in a lane
 TIME, LATEST, UNIT = range(3)  # of a copy, where its ``now`` has them
 STEPS, NEXT, HITS, EVENT = range(4)  # and its ``counts``
+MANY_KICKS = 8191  # a prime number, so that steps do not repeat them soon
 
 
 class Series(NamedTuple):
@@ -73,6 +74,9 @@ class Copies(NamedTuple):
         now: (C, 3) the present time, that of the last event, and a unit of time to begin with, as a step's length.
         counts: (C, 4) steps so far, next sample, hits so far, which event was last (−1).
         hits: (C, H, 2 + n) time, number and state of events.
+        others, others_wanted: (C, J, n) and (C, J, K) states of companions, and what they conserve.
+        gaps: (C, J, n) by how much their numbers have been off the copy's, at most, where steps end.
+        sizes: (C, n) of the copy's own numbers, likewise.
     """
 
     y: Float64[Array, "copies n"]
@@ -85,6 +89,10 @@ class Copies(NamedTuple):
     now: Float64[Array, "copies 3"]
     counts: Integer[Array, "copies 4"]
     hits: Float64[Array, "copies hits row"]
+    others: Float64[Array, "copies companions n"]
+    others_wanted: Float64[Array, "copies companions conserved"]
+    gaps: Float64[Array, "copies companions n"]
+    sizes: Float64[Array, "copies n"]
 
 
 class Course(NamedTuple):
@@ -99,6 +107,8 @@ class Course(NamedTuple):
         clock: component of the state that is the time, or −1.
         follows: (F,) components of no size of their own that change with the others, as tangents do, and
             ``followers`` how many.
+        orders: (J,) of the companions' series, and ``companions`` how many.
+        kicks: ``MANY_KICKS`` shares by which companions' numbers are moved, one after the other.
     """
 
     times: Float64[Array, "time"]
@@ -113,6 +123,9 @@ class Course(NamedTuple):
     clock: int
     follows: Integer[Array, "followers"]
     followers: int
+    orders: Integer[Array, "companions"]
+    companions: int
+    kicks: Float64[Array, "kicks"]
 
 
 class Lanes(NamedTuple):
@@ -128,6 +141,9 @@ class Lanes(NamedTuple):
         watched: coefficients of what is watched, and ``p`` (W, order + 1) those of one lane.
         terms: of what is watched: a smaller change than this in a step is rounding.
         work, waiting: see ``kernel_zeros``.
+        others, others_wanted, gaps, sizes: of companions, see ``Copies``.
+        own: states, and what they conserve, of copies while their companions take the places of these.
+        kicks: shares by which one companion's numbers are moved.
     """
 
     which: Integer[Array, "lanes"]
@@ -152,6 +168,12 @@ class Lanes(NamedTuple):
     terms: Float64[Array, " many"]
     work: Float64[Array, "orders"]
     waiting: Float64[Array, " many"]
+    others: Float64[Array, " many"]
+    others_wanted: Float64[Array, " many"]
+    gaps: Float64[Array, " many"]
+    sizes: Float64[Array, " many"]
+    own: Float64[Array, " many"]
+    kicks: Float64[Array, " many"]
 
 
 def series_for(program: Program, orders: int, width: int, code: Code | None = None, outputs: int = 0) -> Series:
@@ -172,7 +194,9 @@ def exact_for(program: Program | None, numbers: Float64[Array, "numbers"], order
     return Exact(program.whole, program.number, high, low, program.still(len(numbers)))
 
 
-def lanes_for(program: Program, exact: Exact, order: int, width: int, watched: int, conserved: int) -> Lanes:
+def lanes_for(
+    program: Program, exact: Exact, order: int, width: int, watched: int, conserved: int, companions: int
+) -> Lanes:
     """Return lanes in which nobody is."""
     n, lengths = program.size, 9  # see ``kernel_series.step_lengths``
     numbers = lambda count: _zeros(count * width)  # noqa: E731
@@ -184,6 +208,9 @@ def lanes_for(program: Program, exact: Exact, order: int, width: int, watched: i
         numbers(conserved * (n + 1)),
         numbers(watched * (order + 1)), np.zeros((watched, order + 1)), numbers(watched),
         np.zeros(order + 1), np.zeros(2 * MAX_WAITING + 8),
+        numbers(companions * n), numbers(companions * conserved), numbers(companions * n),
+        numbers(n if companions else 0), numbers(n + conserved if companions else 0),
+        numbers(n if companions else 0),
     )
 
 

@@ -17,6 +17,7 @@ from polhode.special import _doubledouble as doubledouble
 from polhode.taylor import (
     kernel,
     kernel_at_once,
+    kernel_companions,
     kernel_extended,
     kernel_invariants,
     kernel_kepler,
@@ -31,7 +32,8 @@ from polhode.taylor import (
 from polhode.taylor.program import Program
 
 EXTENDED = 2  # for one copy with twice as many digits; other forms are named by how many copies they move at a time
-COMMON: tuple[ModuleType, ...] = kernel_space, kernel_kepler, kernel_series, kernel_zeros, kernel_invariants, kernel
+COMMON: tuple[ModuleType, ...] = (kernel_space, kernel_kepler, kernel_series, kernel_zeros, kernel_invariants,
+                                  kernel_companions, kernel)  # fmt: skip
 MODULES = {1: (vectors, kernel_products, *COMMON), lanes.LANES: (lanes, kernel_lanes, *COMMON),
            EXTENDED: (vectors, kernel_products, doubledouble, *COMMON, kernel_extended)}  # fmt: skip
 ARITHMETIC = ("polhode.taylor.recurrences", "polhode.taylor.loops", "polhode.taylor.compiled_vectors",

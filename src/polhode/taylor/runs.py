@@ -17,7 +17,7 @@ from polhode.systems._forms import FURTHER
 from polhode.systems.base import AbstractSystem, Event
 from polhode.taylor import kernel
 from polhode.taylor.advancing import advance_copies, begin_copies, outcome
-from polhode.taylor.kernel_space import HITS, STEPS, Copies, Course, series_for
+from polhode.taylor.kernel_space import HITS, MANY_KICKS, STEPS, Copies, Course, series_for
 from polhode.taylor.kernels import python_kernel
 from polhode.taylor.machine import Machine, build_machine
 from polhode.taylor.program import Program
@@ -34,6 +34,8 @@ class RunLimits(NamedTuple):
 
 
 LIMITS = RunLimits()
+NO_ORDERS = np.zeros(0, np.int64)  # of companions
+KICKS = float(np.finfo(float).eps) * np.random.default_rng(2).choice([-1.0, 1.0], MANY_KICKS)
 
 
 class Precision(NamedTuple):
@@ -82,6 +84,9 @@ class Runs(NamedTuple):
         end_state: (C, *shape) the state then.
         end_received: (C, B) integrals of balances until then.
         steps: (C,) how many were taken.
+        gaps: (C, J, *shape) how far each number of companions was off, at most, where steps ended; infinite or NaN of
+            those that left the numbers.
+        sizes: (C, *shape) of each number itself, likewise; zero without companions.
         balances: their names.
     """
 
@@ -93,6 +98,8 @@ class Runs(NamedTuple):
     end_state: Double[Array, "..."]
     end_received: Float64[Array, "copies balances"]
     steps: Integer[Array, "copies"]
+    gaps: Float64[Array, "..."]
+    sizes: Float64[Array, "..."]
     balances: tuple[str, ...]
 
     def part(self, some: Integer[np.ndarray, "some"]) -> Runs:
@@ -104,6 +111,18 @@ def join_runs(parts: Sequence[Runs]) -> Runs:
     """Return runs of parts of a batch as those of the batch."""
     columns = zip(*(part[:-1] for part in parts), strict=True)
     return Runs(*(np.concatenate(each) for each in columns), balances=parts[0].balances)  # type: ignore[misc]
+
+
+class Companions(NamedTuple):
+    """Runs that take the steps of copies, and show how far these are from the motion.
+
+    Attributes:
+        starts: (J, C, *shape).
+        orders: of their series.
+    """
+
+    starts: Double[Array, "..."]
+    orders: tuple[int, ...]
 
 
 class Plan(NamedTuple):
@@ -123,6 +142,12 @@ class Plan(NamedTuple):
     late: Float64[np.ndarray, "copies"] | None = None
     changes: int = 0
     detected: frozenset[float] = frozenset()
+    orders: tuple[int, ...] = ()
+
+    @property
+    def takes_companions(self) -> bool:
+        """Whether companions can take the steps: past a border or a detected jump they go at times of their own."""
+        return not (self.precision.extended or self.detected or self.machines[0].branches is not None)
 
 
 def _plan(
@@ -144,6 +169,17 @@ def _plan(
                 detected=frozenset(np.ravel(getattr(system, FURTHER, ())).tolist()))
 
 
+def takes_companions(
+    system: AbstractSystem, states: Double[Array, "..."], times: Float64[np.ndarray, "time"], precision: Precision
+) -> bool:
+    """Return whether motions of states (C, *shape) can have companions.
+
+    Raises:
+        Untraceable: as ``run_copies`` does.
+    """
+    return _plan(system, states[0], times, precision, math.inf, branching=True).takes_companions
+
+
 def run_copies(
     system: AbstractSystem,
     states: Double[Array, "..."],
@@ -153,6 +189,7 @@ def run_copies(
     check: Callable[[float], None] = lambda share: None,
     scales: Float64[Array, "copies n"] | None = None,
     late: Float64[np.ndarray, "copies"] | None = None,
+    companions: Companions | None = None,
 ) -> Runs:
     """Return the motions of states at times, which need not be ends of steps.
 
@@ -165,11 +202,13 @@ def run_copies(
         check: called with the completed share, between parts of a long run.
         scales: sizes of the components, infinite of those that have none of their own; by default the system's.
         late: (C,) roundings of the time by which each copy passes borders of branches too late, to show their effect.
+        companions: of motions that can have them.
 
     Raises:
         Untraceable: if the system's rates are not made of operations that have a recurrence.
     """
-    plan = _plan(system, states[0], times, precision, longest, branching=True)._replace(late=late)
+    orders = () if companions is None else companions.orders
+    plan = _plan(system, states[0], times, precision, longest, branching=True)._replace(late=late, orders=orders)
     form, program = plan.machines[0].form, plan.machines[0].program
     y = np.zeros((len(states), program.size))
     y[:, : form.size] = form.flat(states)
@@ -180,13 +219,16 @@ def run_copies(
         scale[:, : form.size] = scales
     samples = np.full((len(states), len(times), program.size), np.inf)
     samples[:, 0] = y  # without the time, which no state has
-    copies = begin_copies(plan.machines[0], y, scale, samples, times[0], hits=1)
+    others = np.zeros((len(states), len(orders), program.size))
+    if companions is not None:
+        others[:, :, : form.size] = np.moveaxis(form.flat(companions.starts), 0, 1)
+    copies = begin_copies(plan.machines[0], y, scale, samples, times[0], 1, others)
     _advance_through(plan, copies, check)
     balances = plan.machines[0].balances
     extra = slice(form.size, form.size + len(balances))
     ended = outcome(copies)
     return Runs(form.back(samples), samples[..., extra], *ended, form.back(y), y[:, extra].copy(),
-                copies.counts[:, STEPS], balances)
+                copies.counts[:, STEPS], np.abs(form.back(copies.gaps)), np.abs(form.back(copies.sizes)), balances)
 
 
 def runs_back(
@@ -228,7 +270,7 @@ def runs_back(
     for k in range(len(times) - 2, -1, -1):
         end = float(times[k])
         course = Course(times[:0], 0, precision.order, precision.reach, longest, plan.forth, nothing, nothing, end,
-                        machine.clock, follows, len(follows))
+                        machine.clock, follows, len(follows), NO_ORDERS, 0, KICKS)
         advance_copies(copies, machine, course, give_up, lambda t: 0.0)
         off = np.abs(y[:, :some] - known[:, k]) / scales[:, :some]
         missed = np.maximum(missed, np.where(copies.status == kernel.DONE, off.max(axis=1, initial=0.0), np.inf))
@@ -346,8 +388,9 @@ def _enlarge(copies: Copies) -> Copies:
 
 def _course(plan: Plan, end: float, copies: Copies, machine: Machine, falling: Array, stops: Array) -> Course:
     follows = _followers(machine.program, copies.scale)
+    orders = np.array(plan.orders, np.int64) if plan.orders else NO_ORDERS
     return Course(plan.times, len(plan.times), plan.precision.order, plan.precision.reach, plan.longest,
-                  plan.forth, falling, stops, end, machine.clock, follows, len(follows))
+                  plan.forth, falling, stops, end, machine.clock, follows, len(follows), orders, len(orders), KICKS)
 
 
 def _followers(program: Program, scale: Float64[Array, "copies n"]) -> Integer[Array, "followers"]:
