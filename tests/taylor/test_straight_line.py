@@ -100,13 +100,32 @@ def test_values_have_the_same_bits(seed, width):
     assert np.isfinite(wanted).all() and np.ptp(wanted) > 0.0
 
 
-@pytest.mark.parametrize("width", [1, lanes.LANES])
-def test_registers_change_no_bit(width, monkeypatch):
+@pytest.mark.parametrize(("width", "registers"), [
+    (1, (16, 4)), (lanes.LANES, (8, 2)), (lanes.LANES, (32, 2)), (lanes.LANES, (16, 4)), (lanes.LANES, (32, 8)),
+])  # fmt: skip
+def test_registers_change_no_bit(width, registers, monkeypatch):
     """On a machine with fewer of them, fewer products are summed together."""
     program = random_program(7)
     straight_line._compile.cache_clear()
-    monkeypatch.setattr(straight_line, "most_together", lambda: 3)
+    monkeypatch.setattr(straight_line, "find_registers", lambda: straight_line.Registers(*registers))
     monkeypatch.setattr(straight_line, "LIMITS", straight_line.LIMITS._replace(blocks_together=1))
     by_tables, by_code = by_tables_and_by_code(program, width)
     straight_line._compile.cache_clear()
     np.testing.assert_array_equal(by_code, by_tables)
+
+
+@pytest.mark.parametrize(("most", "factors"), [(12, 7), (8, 6), (1, 2)])
+def test_products_with_common_factors_are_together(most, factors):
+    """Those of a quaternion and an angular velocity, among others: twelve products of seven numbers."""
+    products = [(i, j, 0) for i in range(4) for j in (4, 5, 6)] + [(10 + i, 20 + i, 0) for i in range(8)]
+    shuffled = [products[0], *(products[k] for k in 1 + np.random.default_rng(0).permutation(19))]
+    first, *others = groups = straight_line._group_products(shuffled, most)
+    assert len({i for i, _, _ in first}) + len({j for _, j, _ in first}) == factors and len(first) == most
+    assert sorted(sum(groups, [])) == sorted(products) and max(map(len, groups)) <= most and others
+
+
+def test_products_are_sought_among_those_that_follow(monkeypatch):
+    products = [(0, 1, 0), (2, 3, 0), (4, 5, 0), (0, 6, 0)]
+    assert straight_line._group_products(products, 2)[0] == [(0, 1, 0), (0, 6, 0)]
+    monkeypatch.setattr(straight_line, "LIMITS", straight_line.LIMITS._replace(products_sought=2))
+    assert straight_line._group_products(products, 2)[0] == [(0, 1, 0), (2, 3, 0)]

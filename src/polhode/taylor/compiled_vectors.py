@@ -64,8 +64,8 @@ KIND = Vector()
 def of_one_copy() -> dict[str, Any]:
     """Return the functions that load, store and gather vectors from flat arrays, without checks."""
     _define_arithmetic()
-    declarations = {"load": _load, "store": _store, "gather": _gather, "borrow": _declare_borrow,
-            "run_code": _run_code, "vectors": _declare_view(types.float64)}  # fmt: skip
+    declarations = {"load": _load, "store": _store, "gather": _gather, "repeat": _spread,
+            "borrow": _declare_borrow, "run_code": _run_code, "vectors": _declare_view(types.float64)}  # fmt: skip
     return {name: intrinsic(declaration) for name, declaration in declarations.items()}
 
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from polhode.taylor.kernel_space import Series
 from polhode.taylor.program import LEFT, RIGHT, SLOTS
+from polhode.taylor.vectors import spread
 
 
 def block(series: Series, k: Any, first: Any, count: Any, out: Any) -> None:
@@ -18,13 +19,9 @@ def block(series: Series, k: Any, first: Any, count: Any, out: Any) -> None:
         if k == 0:
             z[out + q] = z[left] * z[right]
             continue
-        one, two = z[base + left] * z[right], z[left] * z[base + right]
-        x, y = left + width, right + base - width
-        for _ in range(1, k - 1, 2):
-            one = one + z[x] * z[y]
-            two = two + z[x + width] * z[y - width]
-            x += 2 * width
-            y -= 2 * width
-        if k % 2 == 0:
-            one = one + z[x] * z[y]
-        z[out + q] = one + two
+        total, x, y = spread(0.0), left + width, right + base - width
+        for _ in range(1, k):
+            total = total + z[x] * z[y]
+            x += width
+            y -= width
+        z[out + q] = total + z[base + left] * z[right] + z[left] * z[base + right]

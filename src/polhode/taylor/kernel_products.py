@@ -6,7 +6,7 @@ from typing import Any
 
 from polhode.taylor.kernel_space import Series
 from polhode.taylor.program import LEFT, PRODUCTS, RIGHT, SLOTS
-from polhode.taylor.vectors import gather, load, store
+from polhode.taylor.vectors import gather, load, repeat, store
 
 
 def block(series: Series, k: Any, first: Any, count: Any, out: Any) -> None:
@@ -20,15 +20,10 @@ def block(series: Series, k: Any, first: Any, count: Any, out: Any) -> None:
     if k == 0:
         store(flat, out, left * right)
         return
-    # the newest from registers, the older from memory; two sums
-    # Cauchy's product Σ_{j≤k} a_j b_{k−j}
-    one, two = left * load(b, first), load(a, first) * right
-    x, y = first + products, row - products
-    for _ in range(1, k - 1, 2):
-        one = one + load(a, x) * load(b, y)
-        two = two + load(a, x + products) * load(b, y - products)
-        x += 2 * products
-        y -= 2 * products
-    if k % 2 == 0:
-        one = one + load(a, x) * load(b, y)
-    store(flat, out, one + two)
+    # Cauchy's product Σ_{j≤k} a_j b_{k−j}: the older factors from memory, the newest last, from registers
+    total, x, y = repeat(0.0), first + products, row - products
+    for _ in range(1, k):
+        total = total + load(a, x) * load(b, y)
+        x += products
+        y -= products
+    store(flat, out, total + left * load(b, first) + load(a, first) * right)

@@ -14,8 +14,8 @@ A formula of values has functions of numbers by their names in ``vectors``.
 them on arrays of JAX, and ``proving.enclosures`` on balls. Sums are taken from the lowest j up and products as their
 parentheses say, so that Python, Numba and machine code agree to the last bit. Arrays multiply by weights last.
 
-Products have no row: their coefficients are Cauchy's Σ_{j≤k} a_j b_{k−j}, which kernels take in two sums that need not
-wait for each other, see ``kernel_lanes``. ``kernel_extended`` has the power's formula once more, for pairs.
+Products have no row: their coefficients are Cauchy's Σ_{j≤k} a_j b_{k−j}, whose newest factors kernels add last, see
+``kernel_lanes``. ``kernel_extended`` has the power's formula once more, for pairs.
 
 Source: Jorba & Zou, Exp. Math. 14 (2005) 99, §2.1; Griewank & Walther, *Evaluating Derivatives*, ch. 13.
 """

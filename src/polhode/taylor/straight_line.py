@@ -8,7 +8,7 @@ second for a program of dozens of operations.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -42,9 +42,11 @@ Terms = Callable[[Any, Any], list[Any]]
 
 
 class CodeLimits(NamedTuple):
-    """The form of the code of one copy."""
+    """The form of the code."""
 
-    blocks_together: int = 4  # of products, whose sums are interleaved
+    blocks_together: int = 4  # of products of one copy, whose sums are interleaved
+    registers_beside: int = 6  # that a loop over products needs beside those of their sums
+    products_sought: int = 64  # among which those with common factors are found, so that long programs take no longer
 
 
 LIMITS = CodeLimits()
@@ -73,13 +75,43 @@ def _compile(whole: bytes, signs: bytes, counts: bytes, lanes: int, outputs: int
     return written.compile(written.write_values(outputs) if outputs else written.write_coefficients())
 
 
-def most_together() -> int:
-    """Return how many products' sums fit the registers of this machine."""
-    return 12 if host_features().get("avx512f") else 3
+class Registers(NamedTuple):
+    """The vector registers of a machine: how many there are, and doubles in each."""
+
+    count: int
+    doubles: int
+
+
+def find_registers() -> Registers:
+    """Return those of this machine."""
+    features = host_features()
+    if features.get("avx512f"):
+        return Registers(32, 8)
+    return Registers(16, 4) if features.get("avx") else Registers(32 if features.get("neon") else 16, 2)
 
 
 def _parts(whole: list[Any], size: int) -> list[list[Any]]:
     return [whole[low : low + size] for low in range(0, len(whole), size)]
+
+
+Product = tuple[int, int, int]  # slots of its factors and of itself
+
+
+def _group_products(products: Sequence[Product], size: int) -> list[list[Product]]:
+    """Return groups of products that have many factors in common, so that these are loaded once."""
+    waiting, groups = list(products), list[list[Product]]()
+    while waiting:
+        first = waiting.pop(0)
+        group, lefts, rights = [first], {first[0]}, {first[1]}
+        while waiting and len(group) < size:
+            sought = range(min(len(waiting), LIMITS.products_sought))
+            loads = [(waiting[q][0] not in lefts) + (waiting[q][1] not in rights) for q in sought]
+            following = waiting.pop(loads.index(min(loads)))
+            group.append(following)
+            lefts.add(following[0])
+            rights.add(following[1])
+        groups.append(sorted(group))
+    return groups
 
 
 class _Writer(Writer, Words):
@@ -89,7 +121,7 @@ class _Writer(Writer, Words):
         super().__init__(lanes)
         # as llvmlite writes constants from Python's integers, not from NumPy's
         self.whole, self.signs, self.counts = whole.tolist(), signs.tolist(), counts.tolist()
-        self.row = self.whole[SLOTS] * lanes
+        self.row, self.registers = self.whole[SLOTS] * lanes, find_registers()
 
     def write_coefficients(self) -> int:
         """Write the coefficients of the state, and return the first order that this computes."""
@@ -185,14 +217,14 @@ class _Writer(Writer, Words):
         """Write all products of a level: of eight copies each by itself, of one copy eight at a time."""
         whole = self.whole
         if self.lanes == WIDTH:
-            ones = [(whole[whole[LEFT] + m], whole[whole[RIGHT] + m], whole[whole[OUT] + q] + p)
-                    for q in blocks for p, m in enumerate(self._members(q))]
+            products = [(whole[whole[LEFT] + m], whole[whole[RIGHT] + m], whole[whole[OUT] + q] + p)
+                        for q in blocks for p, m in enumerate(self._members(q))]
             if k is None:
-                for left, right, out in ones:
+                for left, right, out in products:
                     self.store(self.builder.fmul(self._z(now, left), self._z(now, right)), now, out * WIDTH)
                 return
-            for part in _parts(ones, most_together()):
-                self._sums(k, now, self._of_copies(part), [out * WIDTH for _, _, out in part])
+            for group in _group_products(products, self._sums_that_fit):
+                self._sums_of_copies(k, now, group)
             return
         if k is None:
             for q in blocks:
@@ -203,7 +235,7 @@ class _Writer(Writer, Words):
             firsts = [whole[whole[ARGUMENT] + q] for q in part]
             for first in firsts:
                 self._keep(k, now, first)
-            self._sums(k, now, self._of_blocks(firsts), [whole[whole[OUT] + q] for q in part])
+            self._sums(k, now, VECTOR, self._of_blocks(firsts), [whole[whole[OUT] + q] for q in part])
 
     def _needs(self, q: int, others: list[int]) -> bool:
         """Return whether a block has factors that other blocks make."""
@@ -217,16 +249,28 @@ class _Writer(Writer, Words):
         first = self.whole[self.whole[ARGUMENT] + q]
         return range(first, first + self.counts[q])
 
-    def _of_copies(self, products: Sequence[tuple[int, int, int]]) -> Terms:
-        """Return the function for the terms of products, whose common factors are loaded once; see ``kernel_lanes``."""
+    @property
+    def _sums_that_fit(self) -> int:
+        """How many sums the registers hold, beside what is added to them."""
+        return self.registers.count - LIMITS.registers_beside
 
-        def terms(left: Any, right: Any) -> list[Any]:
-            lefts, rights = self._locate_row(left), self._locate_row(right)
-            x = {i: self._z(lefts, i) for i, _, _ in products}
-            y = {j: self._z(rights, j) for _, j, _ in products}
-            return [self.builder.fmul(x[i], y[j]) for i, j, _ in products]
+    def _sums_of_copies(self, k: Any, now: Any, products: Sequence[Product]) -> None:
+        """Write the sums of products: of all copies in one loop, or of one register's copies after the other's.
 
-        return terms
+        See ``kernel_lanes``.
+        """
+        doubles = self.registers.doubles
+        fit = len(products) * WIDTH <= self._sums_that_fit * doubles
+        width = WIDTH if fit else doubles
+        kind = ir.VectorType(DOUBLE, width)
+        for copy in range(0, WIDTH, width):
+
+            def terms(left: Any, right: Any, copy: int = copy) -> list[Any]:
+                lefts, rights = self._locate_row(left), self._locate_row(right)
+                load = cache(lambda row, slot: self.load(row, slot * WIDTH + copy, kind))
+                return [self.builder.fmul(load(lefts, i), load(rights, j)) for i, j, _ in products]
+
+            self._sums(k, now, kind, terms, [out * WIDTH + copy for _, _, out in products])
 
     def _keep(self, k: Any, now: Any, first: int) -> list[Any]:
         """Write where a block's factors are kept, and return them; see ``kernel_products``."""
@@ -250,31 +294,17 @@ class _Writer(Writer, Words):
 
         return terms
 
-    def _sums(self, k: Any, now: Any, terms: Terms, places: Sequence[int]) -> None:
-        """Write both sums of each product, and store them; ``terms`` are of two orders that make k."""
-        builder, none, one = self.builder, INTEGER(0), INTEGER(1)
-        count, start = len(places), terms(k, none) + terms(none, k)
+    def _sums(self, k: Any, now: Any, kind: Any, terms: Terms, places: Sequence[int]) -> None:
+        """Write the sums of products, and store them; ``terms`` are of two orders that make k."""
 
-        def inner(j: Any, *sums: Any) -> list[Any]:
-            late = builder.sub(k, j)
-            more = terms(j, late) + terms(builder.add(j, one), builder.sub(late, one))
-            return [builder.fadd(s, t) for s, t in zip(sums, more, strict=True)]
+        def add(j: Any, *sums: Any) -> list[Any]:
+            return [self.builder.fadd(s, t) for s, t in zip(sums, terms(j, self.builder.sub(k, j)), strict=True)]
 
-        before_last = builder.sub(k, one)
-        sums = self.loop(one, before_last, 2, start, inner)
-        before = builder.block
-        even, after = builder.append_basic_block(), builder.append_basic_block()
-        builder.cbranch(builder.trunc(k, ir.IntType(1)), after, even)
-        builder.position_at_end(even)
-        with_last: list[Any] = [builder.fadd(s, t) for s, t in zip(sums[:count], terms(before_last, one), strict=True)]
-        builder.branch(after)
-        builder.position_at_end(after)
-        phis = [builder.phi(value.type) for value in with_last]
-        for phi, without, last in zip(phis, sums, with_last, strict=False):
-            phi.add_incoming(without, before)
-            phi.add_incoming(last, even)
-        for phi, other, place in zip(phis, sums[count:], places, strict=True):
-            self.store(builder.fadd(phi, other), now, place)
+        none = INTEGER(0)
+        sums = self.loop(INTEGER(1), k, 1, [ir.Constant(kind, [0.0] * kind.count)] * len(places), add)
+        # the newest last, so that the older ones need not wait for them
+        for value, place in zip(add(none, *add(k, *sums)), places, strict=True):
+            self.store(value, now, place)
 
     # ------------------------------------------------------------------ functions
 

@@ -87,6 +87,11 @@ def cosine(x: Any) -> Any:
     return math.cos(x) if abs(x) < np.inf else np.nan
 
 
+def repeat(x: Any) -> Float64[Array, "8"]:
+    """Return a vector of equal numbers."""
+    return np.full(WIDTH, float(x))
+
+
 def load(array: Float64[Array, " many"], index: Any) -> Float64[Array, "8"]:
     return array[index : index + WIDTH]
 
