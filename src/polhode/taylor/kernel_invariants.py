@@ -12,6 +12,8 @@ from polhode.taylor.program import CONSTANT, FIRST, SIZE, SLOTS
 from polhode.taylor.vectors import LANES, run_code, spread, square_root, vectors, where_less
 from polhode.types import Array
 
+LARGEST_GRADIENT = 1e140  # by the scale: squares of larger ones overflow
+
 
 def back_onto(integrals: Series, lanes: Lanes, count: Any) -> None:
     """Move states by one Newton step onto what is conserved: the outputs are the values, then their gradients.
@@ -22,51 +24,71 @@ def back_onto(integrals: Series, lanes: Lanes, count: Any) -> None:
     y, scale, wanted, rows = vectors(lanes.states), vectors(lanes.scales), vectors(lanes.wanted), vectors(lanes.rows)
     slack, due = vectors(lanes.slack), vectors(lanes.due)
     n, none, infinite = integrals.whole[SIZE], spread(0.0), spread(np.inf)
-    independent = 0.01  # of a squared gradient, that must be left beside the other gradients
-    farthest = 1e-3  # of the scale: a run that is off by more is not put back
     compute_outputs(integrals, y)
-    due[0] = none
+    some_due = none
+    width = n + 1 + count  # of a row: a gradient, what is missing, and the row of a matrix
     for c in range(count):
         off = wanted[c] - output(integrals, c)
-        rows[c * (n + 1) + n] = off
-        due[0] = where_less(slack[c], abs(off), infinite, due[0])
-    some = False
+        rows[c * width + n] = off
+        some_due = where_less(slack[c], abs(off), infinite, some_due)
+    due[0], some = some_due, False
     for lane in range(LANES):
         some = some or (lanes.due[lane] > 0.0 and lanes.which[lane] != NOBODY)
     if not some:
         return
     for c in range(count):
-        row = c * (n + 1)
-        off, square = rows[row + n], spread(0.0)
+        size, row = none, c * width
         for i in range(n):
-            # rows of the Jacobian in units of the scale; the shortest move δ with J δ = off is along orthonormal rows,
-            # by Gram and Schmidt
-            scaled = where_less(scale[i], infinite, output(integrals, count + c * n + i) * scale[i], none)
-            rows[row + i] = scaled
-            square = square + scaled * scaled
-        # what the earlier ones move is taken out, of gradient and of what is missing
-        for e in range(c):
-            along, earlier = spread(0.0), e * (n + 1)
-            for i in range(n):
-                along = along + rows[row + i] * rows[earlier + i]
-            for i in range(n):
-                rows[row + i] = rows[row + i] - along * rows[earlier + i]
-            off = off - along * rows[earlier + n]
-        left = spread(0.0)
+            # in units of the scale
+            scaled = output(integrals, count + c * n + i) * scale[i]
+            scaled = where_less(scale[i], infinite, scaled, none)
+            size = size + abs(scaled)
+            rows[row + i] = where_less(abs(scaled), spread(LARGEST_GRADIENT), scaled, none)
+        eliminate(rows, n, c, count, size)
+    # the shortest move δ with J δ = off is Jᵀλ, (J Jᵀ) λ = off
+    for c in range(count - 1, -1, -1):
+        row = c * width
+        factor = rows[row + n]
+        for d in range(c + 1, count):
+            factor = factor - rows[d * width + n] * rows[d * width + n + 1 + c]
+        rows[row + n] = factor * rows[row + n + 1 + c]
+    unmoved = spread(-0.0)  # which leaves all numbers as they are, and a sum is stored sooner than a choice
+    for i in range(n):
+        move = none
+        for c in range(count):
+            move = move + rows[c * width + n] * rows[c * width + i]
+        move = where_less(scale[i], infinite, move * scale[i], unmoved)
+        y[i] = y[i] + where_less(none, some_due, move, unmoved)
+
+
+def eliminate(rows: Array, n: Any, c: Any, count: Any, size: Any) -> None:
+    """Set the c-th row of the factors of a Jacobian times its transpose, and what is missing beside earlier rows.
+
+    These are L D Lᵀ; a row has those of L D, then 1/D, which is zero where its gradient, of some size, is left out.
+    """
+    independent = 0.01  # of a squared gradient, that must be left beside the other gradients
+    least = 1e-290  # that must be left, so that one over it is a number
+    farthest = 1e-3  # of the scale: a run that is off by more is not put back
+    none, infinite, width = spread(0.0), spread(np.inf), n + 1 + count
+    row = c * width
+    off, square = rows[row + n], none
+    for e in range(c + 1):
+        earlier = e * width
+        product = none
         for i in range(n):
-            left = left + rows[row + i] * rows[row + i]
-        length = square_root(left)
-        small = where_less(abs(off), farthest * length, length, infinite)
-        # zero where the gradient is left out
-        inverse = 1.0 / where_less(independent * square, left, small, infinite)
-        for i in range(n):
-            rows[row + i] = where_less(none, inverse, rows[row + i] * inverse, none)
-        rows[row + n] = where_less(none, inverse, off * inverse, none)
-    for c in range(count):
-        row = c * (n + 1)
-        for i in range(n):
-            moved = y[i] + rows[row + n] * rows[row + i] * scale[i]
-            y[i] = where_less(none, due[0], where_less(scale[i], infinite, moved, y[i]), y[i])
+            product = product + rows[row + i] * rows[earlier + i]
+        square = product
+        for f in range(e):
+            product = product - rows[row + n + 1 + f] * rows[f * width + n + 1 + f] * rows[earlier + n + 1 + f]
+        if e < c:
+            off = off - product * rows[earlier + n + 1 + e] * rows[earlier + n]
+        rows[row + n + 1 + e] = product
+    left = rows[row + n + 1 + c]
+    near = where_less(off * off, farthest * farthest * left, left, infinite)
+    near = where_less(size, spread(LARGEST_GRADIENT), near, infinite)
+    inverse = 1.0 / where_less(independent * square + least, left, near, infinite)
+    rows[row + n] = where_less(none, inverse, off, none)
+    rows[row + n + 1 + c] = inverse
 
 
 def compute_outputs(integrals: Series, y: Array) -> None:

@@ -137,7 +137,7 @@ class Lanes(NamedTuple):
         exact: what computes the first coefficients of their rates with twice as many digits.
         units, left, steps, lengths: of time in the series, until the end, of a step in units, see ``step_lengths``.
         later, event, last, lowered: time and event at the end of a step, if that is the last, if the unit was too long.
-        due: whether a state is to be put back onto what is conserved, and ``rows`` gradients of that.
+        due: whether a state is to be put back onto what is conserved, and ``rows`` gradients of that, see ``kernel_invariants``.
         watched: coefficients of what is watched, and ``p`` (W, order + 1) those of one lane.
         terms: of what is watched: a smaller change than this in a step is rounding.
         work, waiting: see ``kernel_zeros``.
@@ -205,7 +205,7 @@ def lanes_for(
         np.full(width, NOBODY), numbers(n), numbers(n if len(exact.whole) else 0), exact, numbers(n),
         numbers(conserved), numbers(conserved), np.ones(width),
         numbers(1), numbers(1), numbers(lengths), numbers(1), marks(), marks(), marks(), numbers(1),
-        numbers(conserved * (n + 1)),
+        numbers(conserved * (n + 1 + conserved)),
         numbers(watched * (order + 1)), np.zeros((watched, order + 1)), numbers(watched),
         np.zeros(order + 1), np.zeros(2 * MAX_WAITING + 8),
         numbers(companions * n), numbers(companions * conserved), numbers(companions * n),
