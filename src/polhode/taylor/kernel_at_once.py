@@ -39,11 +39,11 @@ def evaluate_steps(rates: Series, copies: Copies, lanes: Lanes, course: Course) 
 def measure_coefficients(series: Series, lanes: Lanes, course: Course) -> None:
     """Set the sizes of the state and of its last three coefficients, and those of what follows the motion."""
     n, sizes = series.whole[SIZE], lanes.lengths
-    scale, rows = lanes.scales[:n], _rows(series, course.order)
-    # as comparisons with NaN are false, the size of a state passes over it, and coefficients that have one are NaN
-    sizes[1] = np.fmax.reduce(np.abs(rows[0]) / scale, initial=MIN_SIZE)
-    parts = np.abs(rows[course.order - 2 :]) / scale
-    sizes[2:5] = np.where((parts < MAX_COEFFICIENT).all(axis=1), parts.max(axis=1, initial=0.0), np.nan)
+    inverse, rows = 1.0 / lanes.scales[:n], _rows(series, course.order)
+    # as comparisons with NaN are false, sizes pass over it, and it is seen in the total alone
+    sizes[1] = np.fmax.reduce(np.abs(rows[0]) * inverse, initial=MIN_SIZE)
+    parts = np.abs(rows[course.order - 2 :]) * inverse
+    sizes[2:5] = np.fmax.reduce(parts, axis=1, initial=0.0) if parts.sum() < MAX_COEFFICIENT else np.nan
     if course.followers:
         kernel_series.of_followers(series, lanes, course)
     else:

@@ -45,7 +45,7 @@ from polhode.taylor.vectors import (
 from polhode.types import Array
 
 MIN_SIZE = 1e-3  # of the scale: a motion that dies away is computed to this part of its first size
-MAX_COEFFICIENT = 1e250  # for a coefficient, as products of two are summed
+MAX_COEFFICIENT = 1e250  # for the last coefficients together, as products of two are summed
 ROOT_SHARE_LEFT = 0.1  # of what is under a root, in a step
 MAX_EXPONENT_CHANGE = 8.0  # by which an exponent changes in a step
 MAX_ANGLE_CHANGE = 4.0  # rad by which the argument of a sine changes in a step
@@ -156,19 +156,19 @@ def measure_coefficients(series: Series, lanes: Lanes, course: Course) -> None:
     """Set the sizes of the state and of its last three coefficients, and those of what follows the motion."""
     order, whole, z = course.order, series.whole, series.z
     width, scale, sizes = whole[SLOTS], vectors(lanes.scales), vectors(lanes.lengths)
-    size = spread(MIN_SIZE)
+    size, total, row = spread(MIN_SIZE), spread(0.0), (order - 2) * width
+    one, two, three = total, total, total
     for i in range(whole[SIZE]):
-        part = abs(z[i]) / scale[i]
-        size = where_less(size, part, part, size)
-    sizes[1] = size
-    for e in range(3):
-        base, largest = (order - 2 + e) * width, spread(0.0)
-        for i in range(whole[SIZE]):
-            part = abs(z[base + i]) / scale[i]
-            # comparisons with NaN are false, so that a NaN stays
-            larger = where_less(largest, part, part, largest)
-            largest = where_less(part, spread(MAX_COEFFICIENT), larger, spread(np.nan))
-        sizes[2 + e] = largest
+        inverse = 1.0 / scale[i]
+        part, first = abs(z[i]) * inverse, abs(z[row + i]) * inverse
+        second, third = abs(z[row + width + i]) * inverse, abs(z[row + 2 * width + i]) * inverse
+        # comparisons with NaN are false, so that it is seen in the total alone
+        size, one = where_less(size, part, part, size), where_less(one, first, first, one)
+        two, three = where_less(two, second, second, two), where_less(three, third, third, three)
+        total = total + (first + second + third)
+    most, none = spread(MAX_COEFFICIENT), spread(np.nan)
+    sizes[1], sizes[2] = size, where_less(total, most, one, none)
+    sizes[3], sizes[4] = where_less(total, most, two, none), where_less(total, most, three, none)
     of_followers(series, lanes, course)
 
 
@@ -263,9 +263,19 @@ def has_values(series: Series, lane: Any) -> Any:
 def advance_lanes(series: Series, lanes: Lanes, order: Any) -> None:
     """Set the lanes' states to those after a step; ``kernel_extended`` has the same with twice as many digits."""
     width, z, y, steps = series.whole[SLOTS], series.z, vectors(lanes.states), vectors(lanes.steps)[0]
-    for i in range(series.whole[SIZE]):
-        value = z[order * width + i]
+    size, together = series.whole[SIZE], 4  # components, as each multiplication waits for a sum
+    several = size - size % together
+    for i in range(0, several, together):
+        row = order * width + i
+        a, b, c, d = z[row], z[row + 1], z[row + 2], z[row + 3]
         # Horner's rule, from the smallest terms up
+        for _ in range(order):
+            row -= width
+            a, b = a * steps + z[row], b * steps + z[row + 1]
+            c, d = c * steps + z[row + 2], d * steps + z[row + 3]
+        y[i], y[i + 1], y[i + 2], y[i + 3] = a, b, c, d
+    for i in range(several, size):
+        value = z[order * width + i]
         for k in range(order - 1, -1, -1):
             value = value * steps + z[k * width + i]
         y[i] = value
