@@ -74,7 +74,7 @@ def of_lanes() -> dict[str, Any]:
     """Return the replacements of the functions in ``lanes``."""
     _define_arithmetic()
     declarations = {"borrow": _declare_borrow, "run_code": _run_code, "vectors": _declare_view(KIND), "spread": _spread,
-            "where_less": _where_less, "square_root": _square_root}  # fmt: skip
+            "where_less": _where_less}  # fmt: skip
     each = {"raise_power": math.pow, "exponential": math.exp, "logarithm": math.log, "sine": math.sin,
             "cosine": math.cos, "exponential_minus_one": math.expm1, "logarithm_of_one_plus": math.log1p,
             "hyperbolic_tangent": math.tanh}  # fmt: skip
@@ -191,10 +191,6 @@ def _where_less(typing: Any, x: Any, y: Any, yes: Any, no: Any) -> Any:
         return builder.select(builder.fcmp_ordered("<", args[0], args[1]), args[2], args[3])
 
     return KIND(KIND, KIND, KIND, KIND), generate
-
-
-def _square_root(typing: Any, x: Any) -> Any:
-    return KIND(KIND), lambda context, builder, sig, args: _call(builder, "llvm.sqrt", args[0])
 
 
 def _of_each(function: Callable[..., float], count: int) -> Callable[..., Any]:

@@ -9,7 +9,7 @@ import numpy as np
 from polhode.taylor.kernel_series import combination, nodes
 from polhode.taylor.kernel_space import NOBODY, Lanes, Series
 from polhode.taylor.program import CONSTANT, FIRST, SIZE, SLOTS
-from polhode.taylor.vectors import LANES, run_code, spread, square_root, vectors, where_less
+from polhode.taylor.vectors import LANES, run_code, spread, vectors, where_less
 from polhode.types import Array
 
 LARGEST_GRADIENT = 1e140  # by the scale: squares of larger ones overflow

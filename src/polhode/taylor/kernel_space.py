@@ -137,7 +137,7 @@ class Lanes(NamedTuple):
         exact: what computes the first coefficients of their rates with twice as many digits.
         units, left, steps, lengths: of time in the series, until the end, of a step in units, see ``step_lengths``.
         later, event, last, lowered: time and event at the end of a step, if that is the last, if the unit was too long.
-        due: whether a state is to be put back onto what is conserved, and ``rows`` gradients of that, see ``kernel_invariants``.
+        due: whether a state is to be put back onto what is conserved, and ``rows`` for it, see ``eliminate``.
         watched: coefficients of what is watched, and ``p`` (W, order + 1) those of one lane.
         terms: of what is watched: a smaller change than this in a step is rounding.
         work, waiting: see ``kernel_zeros``.

@@ -32,10 +32,6 @@ def where_less(x: Any, y: Any, yes: Any, no: Any) -> Float64[Array, "8"]:
     return np.where(x < y, yes, no)
 
 
-def square_root(x: Any) -> Float64[Array, "8"]:
-    return np.array([one.square_root(value) for value in x])
-
-
 def raise_power(x: Any, exponent: Any) -> Float64[Array, "8"]:
     return np.array([one.raise_power(value, exponent) for value in x])
 

@@ -78,7 +78,7 @@ def _compile(whole: bytes, signs: bytes, counts: bytes, lanes: int, outputs: int
 class Registers(NamedTuple):
     """The vector registers of a machine: how many there are, and doubles in each."""
 
-    count: int
+    number: int
     doubles: int
 
 
@@ -252,7 +252,7 @@ class _Writer(Writer, Words):
     @property
     def _sums_that_fit(self) -> int:
         """How many sums the registers hold, beside what is added to them."""
-        return self.registers.count - LIMITS.registers_beside
+        return self.registers.number - LIMITS.registers_beside
 
     def _sums_of_copies(self, k: Any, now: Any, products: Sequence[Product]) -> None:
         """Write the sums of products: of all copies in one loop, or of one register's copies after the other's.

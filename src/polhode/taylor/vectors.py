@@ -51,10 +51,6 @@ def where_less(x: Any, y: Any, yes: Any, no: Any) -> Any:
     return yes if x < y else no
 
 
-def square_root(x: Any) -> Any:
-    return math.sqrt(x) if x >= 0.0 else np.nan
-
-
 def raise_power(x: Any, exponent: Any) -> Any:
     return x**exponent
 
