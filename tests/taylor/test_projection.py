@@ -25,16 +25,15 @@ class Conserving(systems.AbstractSystem):
 
 def put_back(system, wanted_at, y, scale):
     """Return a state after it has been put back onto values at another one, and the gradients of these there."""
-    machine, n = build_machine(system, wanted_at, (0.0, 1.0)), len(y)
-    space = python_kernel(1).advance.__globals__
     with np.errstate(all="ignore"):
+        machine, n = build_machine(system, wanted_at, (0.0, 1.0)), len(y)
         wanted, slack = _evaluate_conserved(machine, wanted_at[None], scale[None])
-    count = wanted.shape[1]
-    lanes = lanes_for(machine.program, exact_for(None, np.zeros(0), 1), 3, 1, 0, count)
-    lanes.which[0], lanes.states[:n], lanes.scales[:n] = 0, y, scale
-    lanes.wanted[:count], lanes.slack[:count] = wanted[0], slack[0]
-    with np.errstate(all="ignore"):
-        space["back_onto"](series_for(machine.integrals, 1, 1), lanes, count)
+        count = wanted.shape[1]
+        lanes = lanes_for(machine.program, exact_for(None, np.zeros(0), 1), 3, 1, 0, count)
+        lanes.which[0], lanes.states[:n], lanes.scales[:n] = 0, y, scale
+        lanes.wanted[:count], lanes.slack[:count] = wanted[0], slack[0]
+        back_onto = python_kernel(1).advance.__globals__["back_onto"]
+        back_onto(series_for(machine.integrals, 1, 1), lanes, count)
     return np.array(lanes.states[:n])
 
 
