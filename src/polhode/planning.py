@@ -8,6 +8,7 @@ singularity on the way. ``simulate`` and ``solve`` take their methods from here.
 from __future__ import annotations
 
 import contextlib
+import math
 import operator
 import warnings
 from collections.abc import Iterator, Sequence
@@ -21,6 +22,7 @@ import numpy as np
 from polhode import integrators
 from polhode._base import check
 from polhode._base.arrays import is_positive, known_numbers_only
+from polhode._base.kept import kept_of_object
 from polhode.errors import InvalidInput, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import TOLERANCE, check_events
@@ -31,7 +33,7 @@ from polhode.integrators.probing import find_undeclared_jumps, name_jumps
 from polhode.motion._plan import MotionPlan, Stepping
 from polhode.systems._agreement import check_agreement, moves_by_generator
 from polhode.systems._checks import advancing_times
-from polhode.systems._forms import check_finite_rates, refuse_other_objects
+from polhode.systems._forms import check_finite_rates, facts_of, refuse_other_objects
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.taylor.runs import choose_precision
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Bool, Float64, Real
@@ -69,7 +71,7 @@ class Request(NamedTuple):
     @property
     def batch_shape(self) -> tuple[int, ...]:
         """The shape of the copies, () for one."""
-        return np.shape(self.state)[: np.ndim(self.state) - self.system.state_axes]
+        return np.shape(self.state)[: np.ndim(self.state) - facts_of(self.system).state_axes]
 
     @property
     def is_resumed(self) -> bool:
@@ -179,8 +181,9 @@ def check_request(
             energy, velocity, generator and flows disagree.
     """
     refuse_other_objects(system)
-    state, times = system.check_state(state), advancing_times(times)
-    if np.ndim(state) < system.state_axes:
+    state, times = np.asarray(system.check_state(state)), advancing_times(times)
+    facts = facts_of(system)
+    if np.ndim(state) < facts.state_axes:
         raise InvalidInput(f"`state` must be a list of numbers, as [1.0]; got the single number {shown(float(state))}.")
     if 0 in np.shape(state):
         raise InvalidInput(f"`state` has no copies to move; got shape {np.shape(state)}. Give at least one.")
@@ -199,8 +202,8 @@ def check_request(
     every = check_every(save, len(times))
     if resumable and (len(times) - 1) % every:
         raise InvalidInput(f"`resumable` needs the last time among the saved ones; `save` {every} leaves it out.")
-    if isinstance(system, AbstractLiePoissonSystem):
-        check_agreement(system, state, times, by_flows=_would_split(system, method))
+    if isinstance(system, AbstractLiePoissonSystem) and not facts.is_of_package:
+        check_agreement(system, jnp.asarray(state), times, by_flows=_would_split(system, method))
     named = name_jumps(system, find_undeclared_jumps(system, state, times))
     return Request(system, named, state, times, method, step, order, tolerance, every, resumable, **others)
 
@@ -247,6 +250,7 @@ def prepare(request: Request) -> Prepared:
     return prepare_without_series(request)
 
 
+@kept_of_object
 def _name_of_other(system: AbstractSystem) -> str:
     if isinstance(system, AbstractLiePoissonSystem) and moves_by_generator(system):
         return class_for(system).__name__
@@ -295,7 +299,7 @@ def _reason(request: Request, obstacle: str) -> str:
 
 
 def _count(request: Request) -> int:
-    return int(np.prod(request.batch_shape, dtype=int))
+    return math.prod(request.batch_shape)
 
 
 def _prepare_equal_steps(request: Request, solver: Any, reason: str) -> Prepared:
@@ -308,7 +312,8 @@ def _prepare_equal_steps(request: Request, solver: Any, reason: str) -> Prepared
     if is_made and not is_positive(solver.step_size):
         raise InvalidInput(f"the step of `method` must be a positive finite time [s], whichever way the times go; got "
                            f"{shown(float(solver.step_size))}.")  # fmt: skip
-    rates = np.asarray(turning_rates(system, request.state, jnp.asarray([times[0], times[-1]], float)), dtype=float)
+    span = jnp.asarray([times[0], times[-1]], float)
+    rates = np.asarray(turning_rates(system, jnp.asarray(request.state), span), dtype=float)
     if not np.isfinite(rates).all():
         check_finite_rates(system, times[0], request.state)
         raise InvalidInput(

@@ -173,7 +173,7 @@ def _check(system: AbstractSystem, state: Array, times: Array) -> tuple[Array, A
     refuse_other_objects(system)
     require_doubles(state=state, times=times)
     if not is_traced(state, *jax.tree.leaves(system)):
-        state = system.check_state(state)
+        state = jnp.asarray(system.check_state(state))
     elif isinstance(system, AbstractLiePoissonSystem):
         system.parts(state)
     if not is_traced(times):

@@ -39,15 +39,22 @@ class LongWork:
             _say(self._what)
 
 
-@contextlib.contextmanager
-def as_one_work(what: str) -> Iterator[LongWork]:
-    """Have all that is within be one piece of work, of which one line is said in all."""
-    work = _whole.get() or LongWork(what)
-    token = _whole.set(work)
-    try:
-        yield work
-    finally:
-        _whole.reset(token)
+class as_one_work:
+    """Have all that is within be one piece of work, of which one line is said in all.
+
+    A class, as contexts written as generators take several times as long.
+    """
+
+    def __init__(self, what: str) -> None:
+        self._what = what
+
+    def __enter__(self) -> LongWork:
+        work = _whole.get() or LongWork(self._what)
+        self._token = _whole.set(work)
+        return work
+
+    def __exit__(self, *error: object) -> None:
+        _whole.reset(self._token)
 
 
 @contextlib.contextmanager
@@ -66,14 +73,17 @@ def long_work(what: str) -> Iterator[None]:
         waiting.cancel()
 
 
-@contextlib.contextmanager
-def silent(wanted: bool) -> Iterator[None]:
+class silent:
     """Have nothing said within, if so wanted: where progress is shown in another way, or not to be shown."""
-    token = _silent.set(wanted or _silent.get())
-    try:
-        yield
-    finally:
-        _silent.reset(token)
+
+    def __init__(self, wanted: bool) -> None:
+        self._wanted = wanted
+
+    def __enter__(self) -> None:
+        self._token = _silent.set(self._wanted or _silent.get())
+
+    def __exit__(self, *error: object) -> None:
+        _silent.reset(self._token)
 
 
 def _say(what: str) -> None:

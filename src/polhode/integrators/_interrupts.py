@@ -2,47 +2,42 @@
 
 from __future__ import annotations
 
-import contextlib
 import signal
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
-from polhode._base.long_work import LongWork, as_one_work
+from polhode._base.long_work import as_one_work
 
 
-@contextlib.contextmanager
-def keep_interrupts() -> Iterator[Callable[[], None]]:
-    """Yield a function that raises KeyboardInterrupt if Ctrl-C was pressed since, even if the exception was lost.
+class keep_interrupts:
+    """Give a function that raises KeyboardInterrupt if Ctrl-C was pressed since, even if the exception was lost.
 
     Python raises it wherever the main thread is. In a callback of the garbage collector, as JAX has one, it is printed
     and forgotten, and a long run would go on. A handler of a program's own is left alone. After a while the function
     says once that the motion goes on.
     """
-    with as_one_work("the motion") as work, _handle_interrupts(work) as check:
-        yield check
 
+    def __enter__(self) -> Callable[[], None]:
+        self._whole, self._came, self._handles = as_one_work("the motion"), False, False
+        self._work = self._whole.__enter__()
+        if threading.get_ident() != threading.main_thread().ident:
+            return self._work.go_on
+        if signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+            return self._work.go_on
+        self._handles = True
+        signal.signal(signal.SIGINT, self._note)
+        return self._check
 
-@contextlib.contextmanager
-def _handle_interrupts(work: LongWork) -> Iterator[Callable[[], None]]:
-    if (
-        threading.current_thread() is not threading.main_thread()
-        or signal.getsignal(signal.SIGINT) is not signal.default_int_handler
-    ):
-        yield work.go_on
-        return
-    came = threading.Event()
+    def __exit__(self, *error: object) -> None:
+        if self._handles:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
+        self._whole.__exit__()
 
-    def note(number: int, frame: object) -> None:
-        came.set()
+    def _note(self, number: int, frame: object) -> None:
+        self._came = True
         raise KeyboardInterrupt
 
-    def check() -> None:
-        work.go_on()
-        if came.is_set():
+    def _check(self) -> None:
+        self._work.go_on()
+        if self._came:
             raise KeyboardInterrupt
-
-    signal.signal(signal.SIGINT, note)
-    try:
-        yield check
-    finally:
-        signal.signal(signal.SIGINT, signal.default_int_handler)

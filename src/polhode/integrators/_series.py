@@ -14,8 +14,8 @@ import numpy as np
 from polhode.errors import InvalidInput, NotConverged, shown
 from polhode.integrators._adaptive import AdaptiveMotion, check_events
 from polhode.integrators._interrupts import keep_interrupts
-from polhode.integrators.probing import jumps_between
 from polhode.motion._outcome import Ends, Status
+from polhode.systems._forms import as_rows, facts_of
 from polhode.systems.base import AbstractSystem
 from polhode.taylor.advancing import LIMITS as ADVANCING
 from polhode.taylor.array_series import Place, runs_of_arrays
@@ -107,16 +107,16 @@ def is_series(method: Any) -> bool:
 
 def has_short_series(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
     """Return whether the rates of change at states (batch…, …) are of so few operations that series pay off."""
-    return system.series_of_arrays or count_operations(system, _one(system, state)) <= LIMITS.max_operations
+    return facts_of(system).series_of_arrays or count_operations(system, _one(system, state)) <= LIMITS.max_operations
 
 
 def goes_by_arrays(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
     """Return whether the system's series are of whole arrays; such a motion can be resumed bit for bit."""
-    return system.series_of_arrays or count_operations(system, _one(system, state)) > LIMITS.max_operations
+    return facts_of(system).series_of_arrays or count_operations(system, _one(system, state)) > LIMITS.max_operations
 
 
 def _one(system: AbstractSystem, state: Double[Array, "..."]) -> Array:
-    return np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))[0]
+    return as_rows(system, state)[0]
 
 
 def find_obstacle(
@@ -179,10 +179,10 @@ def check_starts(
     Raises:
         InvalidInput: for starts at an event, states of a size whose products are no numbers, or another's memory.
     """
-    states = np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))
-    check_events(system, times[0], state)
+    states, facts = as_rows(system, state), facts_of(system)  # which refuses jumps that are not finite
+    if facts.has_events:
+        check_events(system, times[0], state)
     check_sizes(states)
-    jumps_between(times, system.jumps)  # refuses times that are not finite
     return states, None if memory is None else _find_place(memory, states, times[0])
 
 

@@ -23,8 +23,9 @@ from polhode._base import check
 from polhode._base.arrays import compiled_quickly
 from polhode._base.arrays.traced_checks import check_traced
 from polhode._base.jaxprs import depends_on
+from polhode._base.kept import kept_of_object
 from polhode.systems._component_sizes import component_sizes
-from polhode.systems._forms import FURTHER, rates_of_change
+from polhode.systems._forms import FURTHER, as_rows, facts_of, rates_of_change
 from polhode.systems.base import AbstractSystem
 from polhode.types import Array, ArrayLike, Bool, Double, Float64, Integer
 
@@ -63,6 +64,8 @@ def jumps_between(
         InvalidInput: for a jump that is not finite.
     """
     instants = np.ravel(check.array("jumps", jumps, None, "s"))
+    if not len(instants):
+        return instants
     low, high = min(times[0], times[-1]), max(times[0], times[-1])
     return np.unique(instants[(instants > low) & (instants < high)])
 
@@ -72,18 +75,23 @@ def depends_on_time(system: AbstractSystem, state: Double[Array, "..."]) -> bool
 
     Systems of equal parts and shapes are checked once.
     """
-    shape = jax.ShapeDtypeStruct(np.shape(state), state.dtype)
+    return _of_shape(system, np.shape(state), state.dtype)
+
+
+@kept_of_object
+def _of_shape(system: AbstractSystem, shape: tuple[int, ...], kind: Any) -> bool:
+    of_state = jax.ShapeDtypeStruct(shape, kind)
     leaves, tree = jax.tree.flatten(system)
-    key = (type(system), tree, shape, *((x.shape, x.dtype) if eqx.is_array(x) else x for x in leaves))
+    key = (type(system), tree, of_state, *((x.shape, x.dtype) if eqx.is_array(x) else x for x in leaves))
     systems_kept = 256
     try:
         if key not in _driven:
             if len(_driven) > systems_kept:
                 _driven.clear()
-            _driven[key] = _uses_time(system, shape)
+            _driven[key] = _uses_time(system, of_state)
         return _driven[key]
     except TypeError:  # a part that cannot be hashed
-        return _uses_time(system, shape)
+        return _uses_time(system, of_state)
 
 
 def _uses_time(system: AbstractSystem, shape: Any) -> bool:
@@ -108,9 +116,9 @@ def find_undeclared_jumps(
 
     Warns where there are more than steps can be made to end at.
     """
-    if system.names_all_jumps:
+    if facts_of(system).names_all_jumps:
         return np.zeros(0)
-    copies = np.reshape(np.asarray(state), (-1, *np.shape(state)[np.ndim(state) - system.state_axes :]))
+    copies = as_rows(system, state)
     ends = np.asarray(times, dtype=float)[[0, -1]]
     if not depends_on_time(system, copies[0]):  # most systems, of which not even copies need be chosen
         return _without_named(system, ends, np.zeros(0))
@@ -144,8 +152,7 @@ def _without_named(
     system: AbstractSystem, times: Float64[np.ndarray, "time"], jumps: Float64[np.ndarray, "jumps"]
 ) -> Float64[np.ndarray, "further"]:
     """Return those of the detected jumps that the system does not name: bisection may end a rounding beside these."""
-    named = jumps_between(times, system.jumps)
-    if not len(named) or not len(jumps):
+    if not len(jumps) or not len(named := jumps_between(times, facts_of(system).jumps)):
         return jumps
     place = np.searchsorted(named, jumps)
     near = np.stack([named[np.maximum(place - 1, 0)], named[np.minimum(place, len(named) - 1)]])

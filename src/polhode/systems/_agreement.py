@@ -17,6 +17,7 @@ import numpy as np
 from polhode._base.arrays import in_jax_numpy
 from polhode._base.arrays.traced_checks import check_function
 from polhode.errors import InvalidInput
+from polhode.systems._forms import facts_of
 from polhode.systems.base import AbstractLiePoissonSystem, components, join_state
 from polhode.types import Array, ArrayLike, Double, Real
 
@@ -76,7 +77,7 @@ def check_agreement(
     Raises:
         InvalidInput: naming what disagrees with what.
     """
-    if type(system).__module__.partition(".")[0] == "polhode":
+    if facts_of(system).is_of_package:
         return
     while jnp.ndim(state) > system.state_axes:
         state = state[0]

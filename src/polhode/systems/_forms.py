@@ -12,6 +12,7 @@ import numpy as np
 
 from polhode._base import check
 from polhode._base.arrays import compiled_for_few_calls, is_jax
+from polhode._base.kept import kept_of_object
 from polhode.errors import InvalidInput, shown
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.types import Array, Double, Float64
@@ -26,6 +27,39 @@ class StateLimits(NamedTuple):
 
 
 LIMITS = StateLimits()
+
+
+class Facts(NamedTuple):
+    """What a system says of itself whatever its state.
+
+    Attributes:
+        state_axes: how many of a state's last axes are its own.
+        jumps: (J,) times [s] that it names, of NumPy.
+        has_events: whether events may end its motion.
+        names_all_jumps, series_of_arrays: as the system has them.
+        is_of_package: whether its class is of this package, whose tests check that its descriptions agree.
+    """
+
+    state_axes: int
+    jumps: Float64[np.ndarray, "jumps"]
+    has_events: bool
+    names_all_jumps: bool
+    series_of_arrays: bool
+    is_of_package: bool
+
+
+@kept_of_object
+def facts_of(system: AbstractSystem) -> Facts:
+    """Return what a system says of itself."""
+    kind = type(system)
+    return Facts(system.state_axes, np.ravel(check.array("jumps", system.jumps, None, "s")), bool(system.events),
+                 system.names_all_jumps, system.series_of_arrays, kind.__module__.partition(".")[0] == "polhode")
+
+
+def as_rows(system: AbstractSystem, state: Double[Array, "..."]) -> Double[np.ndarray, "copies ..."]:
+    """Return states (batch…, *shape) one below the other, (C, *shape)."""
+    state = np.asarray(state)
+    return state.reshape(-1, *state.shape[state.ndim - facts_of(system).state_axes :])
 
 
 def rates_of_change(

@@ -12,7 +12,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode._base.arrays import known_numbers_only, namespace, refuse_complex, require_doubles
+from polhode._base.arrays import is_jax, known_numbers_only, namespace, refuse_complex, require_doubles
 from polhode.algebra._functions import Function
 from polhode.algebra._rotations import check_rotations, parts_of_point, turns_alone
 from polhode.algebra.base import AbstractLieAlgebra, HashableModule
@@ -390,7 +390,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
 
 
 def as_finite_state(state: Real[ArrayLike, "*shape"], dtype: Any, length: int | None = None) -> Double[Array, "*shape"]:
-    """Return a state as a JAX array.
+    """Return a state as a new array of NumPy, or as JAX's if it is one.
 
     Raises:
         InvalidInput: for what is not a number, NaN or an infinity, or a last axis not of the length.
@@ -399,7 +399,10 @@ def as_finite_state(state: Real[ArrayLike, "*shape"], dtype: Any, length: int | 
     if not np.issubdtype(dtype, np.complexfloating):
         refuse_complex("state", state)
     try:
-        state = jnp.asarray(state, dtype=dtype)
+        if not is_jax(state):
+            state = np.array(state, dtype=dtype)
+        elif state.dtype != dtype:
+            state = jnp.asarray(state, dtype=dtype)
     except (TypeError, ValueError):
         raise InvalidInput(f"`state` must be numbers; got {shown(state)}.") from None
     if not np.isfinite(np.asarray(state)).all():

@@ -15,7 +15,8 @@ import numpy as np
 from polhode._base.arrays import in_jax_numpy
 from polhode._base.arrays.traced_checks import check_traced
 from polhode._base.jaxprs import Listing, depends_on
-from polhode.systems._forms import distances, rates_of_change
+from polhode._base.kept import kept_of_object
+from polhode.systems._forms import distances, facts_of, rates_of_change
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
 from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
 from polhode.taylor.jaxprs import numbers_in, operations_on, write_jaxpr
@@ -133,7 +134,7 @@ def build_machine(
             have one with twice as many digits.
     """
     form = Form(np.shape(state), np.iscomplexobj(state))
-    instants = between if np.size(system.jumps) else None
+    instants = between if len(facts_of(system).jumps) else None
     try:
         known = _machines(system, form, instants, through, extended)
     except TypeError:  # what cannot be hashed
@@ -172,6 +173,7 @@ def _serves(machine: Machine | str, start: tuple[float, ...]) -> bool:
     return not machine.branches.touches_border(y)
 
 
+@kept_of_object
 @lru_cache(maxsize=256)
 def _machines(*arguments: Any) -> dict[Signs | None, Machine | str]:
     """Return the machines of a system by the sides that they are for, or why there are none; empty at first."""
@@ -180,7 +182,11 @@ def _machines(*arguments: Any) -> dict[Signs | None, Machine | str]:
 
 def count_operations(system: AbstractSystem, state: Double[Array, "..."]) -> int:
     """Return about how many operations a system's rates, balances and events take at a state."""
-    form = Form(np.shape(state), np.iscomplexobj(state))
+    return _count_operations(system, Form(np.shape(state), np.iscomplexobj(state)))
+
+
+@kept_of_object
+def _count_operations(system: AbstractSystem, form: Form) -> int:
     return _of_any_numbers(_write_programs, system, form, None)[0].operations
 
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 import contextlib
 import functools
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache
 from numbers import Rational
 from typing import Any, ParamSpec, TypeGuard, TypeVar
 
 import numpy as np
 
+from polhode._base.kept import is_kept
 from polhode.errors import InvalidInput, PolhodeError, shown
 from polhode.types import Array, ArrayLike, Float64
 
@@ -22,6 +23,8 @@ ENCLOSED = (
     "must not enclose a number that JAX traces, as a variable of a lambda: no derivative goes by it. Make it a field "
     "of the system, or give jax.tree_util.Partial(function, number) instead of the function."
 )
+PLAIN = frozenset({np.ndarray, float, int, bool, str, type(None)})
+"""Types whose values are known numbers, or none."""
 LARGEST = float(np.finfo(np.float64).max)
 Parameters = ParamSpec("Parameters")
 Result = TypeVar("Result")
@@ -62,9 +65,15 @@ def is_traced(*values: Any) -> bool:
 
 def is_tracing() -> bool:
     """Whether JAX is tracing a function now, so that whatever it computes is traced, even from known numbers."""
-    from polhode._base.jax_inner import evaluates_at_once
+    return not _inner().evaluates_at_once() and is_traced(_quickest_operation()(0.0))
 
-    return not evaluates_at_once() and is_traced(_quickest_operation()(0.0))
+
+@cache
+def _inner() -> Any:
+    """Return the module, as an import takes longer than what is asked of it."""
+    from polhode._base import jax_inner
+
+    return jax_inner
 
 
 @cache
@@ -232,35 +241,62 @@ def known_numbers_only(function: Callable[Parameters, Result]) -> Callable[Param
     the function is evaluated at once.
     """
     name = function.__qualname__.removesuffix(".__init__")
+    what = f"functions and systems given to `{name}`"
 
     @functools.wraps(function)
     def checked(*args: Parameters.args, **kwargs: Parameters.kwargs) -> Result:
         if "jax" not in sys.modules:
             return function(*args, **kwargs)
+        if _holds_traced(*args, *kwargs.values()):
+            raise _refusal(name)
+        if not is_tracing():
+            with in_jax_numpy(what):
+                return function(*args, **kwargs)
         import jax
 
-        refusal = InvalidInput(
-            f"the arguments of `{name}` must be known numbers, not traced by JAX: it decides on them. Call it outside "
-            "of jit, vmap and derivatives, and put traced numbers into what it returns."
-        )
-        if is_traced(*jax.tree.leaves((args, kwargs))):
-            raise refusal
-        if not is_tracing():
-            with in_jax_numpy(f"functions and systems given to `{name}`"):
-                return function(*args, **kwargs)
         try:
             with jax.ensure_compile_time_eval():
                 return function(*args, **kwargs)
         except PolhodeError:
             raise
         except (TypeError, RuntimeError) as error:  # JAX's and Equinox's, where something within is traced
-            raise refusal from error
+            raise _refusal(name) from error
 
     return checked
 
 
-@contextlib.contextmanager
-def in_jax_numpy(what: str) -> Iterator[None]:
+def _holds_traced(*values: Any) -> bool:
+    """Whether anything in some trees is traced; of what is known not to hold such no tree is made."""
+    others = [value for value in values if type(value) not in PLAIN and not is_kept(value)]
+    if not others:
+        return False
+    import jax
+
+    return is_traced(*jax.tree.leaves(others))
+
+
+def _refusal(name: str) -> InvalidInput:
+    return InvalidInput(
+        f"the arguments of `{name}` must be known numbers, not traced by JAX: it decides on them. Call it outside of "
+        "jit, vmap and derivatives, and put traced numbers into what it returns."
+    )
+
+
+class _Rewording:
+    """The context of ``in_jax_numpy``, written as a class as generators take several times as long."""
+
+    def __init__(self, what: str) -> None:
+        self.what = what
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(self, kind: Any, error: BaseException | None, trace: Any) -> None:
+        if isinstance(error, TypeError):
+            _reword(self.what, error)
+
+
+def in_jax_numpy(what: str) -> contextlib.AbstractContextManager[None]:
     """Reword JAX's errors about what cannot be traced, such as a user's function that calls NumPy.
 
     The message blames the user's function only where the error comes from there; for an error in polhode's own code it
@@ -272,26 +308,27 @@ def in_jax_numpy(what: str) -> Iterator[None]:
     Raises:
         InvalidInput: in their place.
     """
-    try:
-        yield
-    except TypeError as error:
-        import jax
+    return _Rewording(what)
 
-        place = _own_place(error)
-        if _is_of_enclosed(error, place):
-            raise InvalidInput(f"{what} {ENCLOSED}") from error
-        if not isinstance(error, jax.errors.JAXTypeError):
-            raise
-        if place is not None:
-            raise InvalidInput(
-                f"JAX cannot compile what polhode does at {place}. If one of the {what} is a function of NumPy itself, "
-                "give that of jax.numpy; else this is a fault of polhode: please report it, with this line: "
-                f"{str(error).splitlines()[0]}"
-            ) from error
+
+def _reword(what: str, error: TypeError) -> None:
+    import jax
+
+    place = _own_place(error)
+    if _is_of_enclosed(error, place):
+        raise InvalidInput(f"{what} {ENCLOSED}") from error
+    if not isinstance(error, jax.errors.JAXTypeError):
+        return
+    if place is not None:
         raise InvalidInput(
-            f"{what} must be written with jax.numpy, as JAX compiles and differentiates them: no NumPy, `float` or "
-            "`if` on what depends on the state or the time. Write jnp.sum for np.sum, and jnp.where for `if`."
+            f"JAX cannot compile what polhode does at {place}. If one of the {what} is a function of NumPy itself, "
+            "give that of jax.numpy; else this is a fault of polhode: please report it, with this line: "
+            f"{str(error).splitlines()[0]}"
         ) from error
+    raise InvalidInput(
+        f"{what} must be written with jax.numpy, as JAX compiles and differentiates them: no NumPy, `float` or "
+        "`if` on what depends on the state or the time. Write jnp.sum for np.sum, and jnp.where for `if`."
+    ) from error
 
 
 def _is_of_enclosed(error: TypeError, place: str | None) -> bool:
