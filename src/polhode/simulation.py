@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import Any
 
 import jax
+import jax.numpy as jnp
 import numpy as np
 
 from polhode._base.arrays import known_numbers_only
@@ -25,6 +26,7 @@ from polhode.motion._trajectory import Trajectory
 from polhode.planning import (
     ARRAYS,
     NUMBERS,
+    XLA,
     Method,
     Prepared,
     Request,
@@ -38,6 +40,7 @@ from polhode.systems._forms import check_finite_rates
 from polhode.systems.base import AbstractSystem
 from polhode.systems.trajectories import make_trajectory
 from polhode.taylor.runs import choose_precision
+from polhode.taylor.written_values import tell
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Bool, Float64, Real
 
 TOO_LONG = 1.0  # rad in a step from which a given step draws a warning
@@ -211,7 +214,7 @@ def _find_singularity(motion: AdaptiveMotion, failed: Bool[np.ndarray, "copies"]
 
 
 def _by_adaptive_steps(request: Request, prepared: Prepared) -> Trajectory:
-    solver, state, times = prepared.solver, request.state, request.times
+    solver, state, times = prepared.solver, jnp.asarray(request.state), request.times
     motion, named = _solve_past_jumps(request, solver)
     error: Any = None
     if request.estimate_error and not np.any(motion.successful):
@@ -224,7 +227,7 @@ def _by_adaptive_steps(request: Request, prepared: Prepared) -> Trajectory:
 
 
 def _by_series(request: Request, prepared: Prepared) -> Trajectory:
-    system, method, state = request.system, prepared.solver, np.asarray(request.state)  # its parts take JAX longer
+    system, method, state = request.system, prepared.solver, request.state
     arguments = request.named, method, state, request.times, _meter(request.progress), request.step
     local = request.tolerance
     if request.tolerance is not None and request.estimate_error:
@@ -278,8 +281,9 @@ def _finish(
     else:
         outcome = _completed(request.system)
     steps, ends = {"steps": motion.steps}, motion.ends if np.ndim(motion.successful) else None
+    told = None if plan.engine == XLA else tell(request.system, np.asarray(motion.states))
     return make_trajectory(request.system, motion.times, motion.states, outcome, steps, motion.received, error, ends,
-                           plan)
+                           plan, told)
 
 
 def _solve_past_jumps(request: Request, solver: Any) -> tuple[AdaptiveMotion, AbstractSystem]:
@@ -288,7 +292,8 @@ def _solve_past_jumps(request: Request, solver: Any) -> tuple[AdaptiveMotion, Ab
     They are sought at the start, and again along the motion; what appears only there makes a second run.
     """
     system, named, times = request.system, request.named, request.times
-    arguments = solver, request.state, times, _meter(request.progress), request.step, request.tolerance, request.every
+    state, meter = jnp.asarray(request.state), _meter(request.progress)
+    arguments = solver, state, times, meter, request.step, request.tolerance, request.every
     motion = solve_adaptively(named, *arguments)
     later = jumps_along(system, motion.states, motion.times)
     known = jumps_between(times, named.jumps)
@@ -303,7 +308,7 @@ def _by_equal_steps(request: Request, prepared: Prepared) -> Trajectory:
     from polhode.integrators._accuracy import run_to_tolerance, run_with_error
     from polhode.integrators._equal_steps import run_by_equal_steps, step_counts
 
-    (plan, solver, sizes, rates), state, times = prepared, request.state, request.times
+    (plan, solver, sizes, rates), state, times = prepared, jnp.asarray(request.state), request.times
     assert sizes is not None and rates is not None, "equal steps are prepared with these"
     if request.tolerance is None:
         _warn_of_long_steps(sizes, rates)

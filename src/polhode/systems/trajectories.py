@@ -11,9 +11,12 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode._base.arrays import arrays_for_few_calls
+from polhode._base.kept import kept_of_object
+from polhode.motion._layout import Quantity, StateLayout
 from polhode.motion._outcome import Ends, Outcome
 from polhode.motion._plan import MotionPlan
 from polhode.motion._trajectory import Trajectory
+from polhode.systems._forms import facts_of
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.types import Array, Double, Float64
 
@@ -27,42 +30,65 @@ class RepresentableLimits(NamedTuple):
 LIMITS = RepresentableLimits()
 
 
+class Told(NamedTuple):
+    """What a system says of states (batch…, T, …).
+
+    Attributes:
+        invariants: by name, (batch…, T) or (batch…, T, count).
+        balances: values of these.
+        vectors: attitude, momentum and angular velocity.
+        sizes: Σ |x ∂C/∂x| of each invariant C that is one number, at the first states.
+    """
+
+    invariants: Mapping[str, Array]
+    balances: Mapping[str, Array]
+    vectors: tuple[Array | None, ...]
+    sizes: Mapping[str, Array]
+
+
 def make_trajectory(
     system: AbstractSystem, times: Float64[np.ndarray, "time"], states: Double[Array, "..."], outcome: Outcome,
     statistics: dict[str, int], received: Mapping[str, Float64[Array, "*batch time"]],
     error_estimate: Float64[Array, "*batch"] | None = None, ends: Ends | None = None, plan: MotionPlan | None = None,
+    told: Told | None = None,
 ) -> Trajectory:
-    """Return samples (batch…, T, …) as a trajectory with the system's invariants, balances and vectors."""
-    axis = jnp.ndim(states) - 1 - system.state_axes
+    """Return samples (batch…, T, …) as a trajectory with the system's invariants, balances and vectors.
+
+    Args:
+        told: what the system says of the states, where that is known already.
+    """
     states = np.asarray(states)
-    said = _all_said(system, np.asarray(times), states)
-    invariants: dict[str, Array] = {name: np.asarray(value) for name, value in said.invariants.items()}
-    if "energy" in invariants and np.isfinite(states).all() and np.isnan(invariants["energy"]).all():
+    axis = states.ndim - 1 - facts_of(system).state_axes
+    if told is None:
+        told = _tell(system, np.asarray(times), states, axis)
+    # what holds on other leaves only is NaN on this one
+    fine, unknown = dict[str, Array](), dict[str, Array]()
+    for name, value in told.invariants.items():
+        value = np.asarray(value)
+        (unknown if np.isnan(value).all() else fine)[name] = value
+    if "energy" in unknown and np.isfinite(states).all():
         warnings.warn(
             f"the energy of {type(system).__name__} is not a number along the motion, though its derivatives are: what "
             "it drifts by is not known. Check its domain, as of a logarithm of what is negative.", stacklevel=2,
         )
-    # what holds on other leaves only is NaN on this one
-    invariants = {name: value for name, value in invariants.items() if not np.isnan(value).all()}
-    invariants = _representable(system, states, invariants)
-    values: dict[str, Array] = {name: np.asarray(value) for name, value in said.balances.items()}
+    invariants, quantities = _representable(system, states, fine), _quantities(system)
+    values: dict[str, Array] = {name: np.asarray(value) for name, value in told.balances.items()}
     got: dict[str, Array] = {name: np.asarray(value) for name, value in received.items()}
-    vectors = [None if x is None else np.asarray(x) for x in said.vectors]
-    terms = _terms(system, np.take(states, 0, axis=axis))
-    own = {name for name, quantity in system.quantities.items() if quantity.of_copies}
+    vectors = [None if x is None else np.asarray(x) for x in told.vectors]
     beyond = None if ends is None or not ends.events else ends.beyond(times)
-    drift = {name: _drift(value, axis, terms.get(name), name in own, beyond) for name, value in invariants.items()}
-    with np.errstate(invalid="ignore"):  # beyond the end of a copy
-        # what was received is a term of a balance, which may begin at zero
-        drift |= {
-            name: _drift(values[name] - value, axis, _largest(value, axis, beyond), beyond=beyond)
-            for name, value in got.items()
-        }
+    drift = _drifts(invariants, told.sizes, quantities, axis, beyond)
+    if got:
+        with np.errstate(invalid="ignore"):  # beyond the end of a copy
+            # what was received is a term of a balance, which may begin at zero
+            drift |= {
+                name: _drift(values[name] - value, axis, _largest(value, axis, beyond), beyond=beyond)
+                for name, value in got.items()
+            }
     return Trajectory(
         source=system,
         times=times,
         states=states,
-        layout=system.layout(states),
+        layout=_layout(system, states.shape[axis + 1 :]),
         attitude=vectors[0],
         momentum=vectors[1],
         angular_velocity=vectors[2],
@@ -70,24 +96,62 @@ def make_trajectory(
         balances=values,
         received=got,
         drift=drift,
-        quantities=system.quantities,
+        quantities=dict(quantities),
         outcome=outcome,
         statistics=statistics,
         error_estimate=error_estimate,
         ends=ends,
         plan=plan,
-        given_axes=None if system.given_axes is None else np.asarray(system.given_axes),
+        given_axes=_given_axes(system),
     )
+
+
+@kept_of_object
+def _quantities(system: AbstractSystem) -> dict[str, Quantity]:
+    return system.quantities
+
+
+@kept_of_object
+def _given_axes(system: AbstractSystem) -> Float64[np.ndarray, "3 3"] | None:
+    return None if system.given_axes is None else np.asarray(system.given_axes)
+
+
+@kept_of_object
+def _layout(system: AbstractSystem, shape: tuple[int, ...]) -> StateLayout:
+    """Return the layout of states, of which one has this shape."""
+    return system.layout(np.zeros(shape))
+
+
+def _tell(system: AbstractSystem, times: Array, states: Array, axis: int) -> Told:
+    said = _all_said(system, times, states)
+    return Told(said.invariants, said.balances, said.vectors, _terms(system, np.take(states, 0, axis=axis)))
+
+
+def _drifts(
+    invariants: dict[str, Array], sizes: Mapping[str, Array], quantities: dict[str, Quantity], axis: int,
+    beyond: Array | None,
+) -> dict[str, Array]:
+    """Return the drifts of invariants; of those that are one number, and not one of each copy, all at once."""
+    own = {name for name, quantity in quantities.items() if quantity.of_copies}
+    single = [name for name, value in invariants.items() if value.ndim == axis + 1 and name in sizes]
+    drift = {name: _drift(value, axis, sizes.get(name), name in own, beyond)
+             for name, value in invariants.items() if name not in single}  # fmt: skip
+    if single:
+        values = np.stack([invariants[name] for name in single], axis=-1)
+        terms = np.stack([np.asarray(sizes[name]) for name in single], axis=-1)
+        off = np.moveaxis(np.asarray(_drift(values, axis, terms, True, beyond)), -1, 0)
+        drift |= dict(zip(single, off, strict=True))
+    return {name: drift[name] for name in invariants}
 
 
 def _representable(system: AbstractSystem, states: Array, invariants: dict[str, Array]) -> dict[str, Array]:
     """Return the invariants whose values neither overflow nor vanish in underflow, with a warning of the others."""
     if not np.isfinite(states).all() or not isinstance(system, AbstractLiePoissonSystem):
         return invariants
-    size = float(np.max(np.abs(np.asarray(system.parts(states).point)), initial=0.0))
-    least = LIMITS.min_size
-    tiny = 0.0 < size < least
-    lost = [k for k, v in invariants.items() if not np.isfinite(v).all() or (tiny and np.abs(v).max() < least**2)]
+    lost = [name for name, value in invariants.items() if not np.isfinite(value).all()]
+    size, least = float(np.max(np.abs(_of_point(system, states)), initial=0.0)), LIMITS.min_size
+    if 0.0 < size < least:
+        lost = [name for name, value in invariants.items() if name in lost or np.abs(value).max() < least**2]
     if lost:
         warnings.warn(
             f"{', '.join(lost)}: the values of what is conserved are beyond double precision at states of size "
@@ -97,8 +161,19 @@ def _representable(system: AbstractSystem, states: Array, invariants: dict[str, 
     return {name: value for name, value in invariants.items() if name not in lost}
 
 
+def _of_point(system: AbstractLiePoissonSystem, states: Array) -> Array:
+    """Return the points of the dual in states, whose attitude stands in front of a single axis."""
+    axes = facts_of(system).state_axes
+    return states if axes != 1 else states[..., states.shape[-1] - _point_size(system) :]
+
+
+@kept_of_object
+def _point_size(system: AbstractLiePoissonSystem) -> int:
+    return system.algebra.element_shape[-1]
+
+
 class _Said(NamedTuple):
-    """Invariants, values of balances, and vectors of a system at states."""
+    """What one function of JAX says of states."""
 
     invariants: dict[str, Array]
     balances: dict[str, Array]
