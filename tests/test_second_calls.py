@@ -15,13 +15,16 @@ import pytest
 import polhode as ph
 
 TRACED, COMPILED = "jaxpr_trace_duration", "backend_compile_duration"
-MADE, FLATTENED = "modules made", "modules flattened"
+MADE, FLATTENED, CALLED = "modules made", "modules flattened", "functions of Python called"
 EQUINOX = "_module.py"
 TIMES = np.array([0.0, 2.0])
 TOP = ph.systems.HeavyTop((1.0, 2.0, 3.5), 1.3, (0.6, 0.0, 0.8))
 STATE = np.array([1.0, 0.0, 0.0, 0.0, 0.3, 2.0, 0.35, 0.0, 0.0, 1.0])
 # of one motion with its estimate; once 19 modules were made, one for each method that was called, and 111 flattened
-MOST = {TRACED: 0, COMPILED: 0, MADE: 0, FLATTENED: 40}
+MOST = {TRACED: 0, COMPILED: 0, MADE: 0, FLATTENED: 0}
+RUN = "run_copies"  # whose own steps may be Python's
+MOST_CALLED = 400  # around the run of a motion without estimate: 323 of the top; once 1,968
+inside = [0]
 noted: Counter[str] = Counter()
 
 
@@ -33,9 +36,12 @@ jax.monitoring.register_event_duration_secs_listener(note_duration)
 
 
 def note_call(frame: Any, event: str, argument: Any) -> None:
+    code = frame.f_code
+    if code.co_name == RUN:
+        inside[0] += {"call": 1, "return": -1}.get(event, 0)
     if event != "call":
         return
-    code = frame.f_code
+    noted[CALLED] += not inside[0]
     if code.co_name == "__call__" and code.co_filename.endswith(EQUINOX):
         noted[MADE] += 1
     elif code.co_filename.startswith("<generated_flatten"):
@@ -72,6 +78,19 @@ def test_a_second_motion_traces_and_compiles_nothing(move, is_kept):
     for _ in range(2):
         move()
     assert (too_much(work_of(move)) == []) is is_kept
+
+
+@pytest.mark.parametrize("of_new_closure", [False, True])
+def test_a_second_motion_calls_few_functions_around_its_run(of_new_closure):
+    def move() -> Any:
+        if of_new_closure:  # a specimen, whose structure is looked at anew
+            return ph.simulate(ph.systems.LiePoisson(ph.algebra.SO3(), lambda L: jnp.sum(L**2)), STATE[4:7], TIMES,
+                               estimate_error=False)
+        return ph.simulate(TOP, STATE, TIMES, estimate_error=False)
+
+    for _ in range(2):
+        move()
+    assert (work_of(move)[CALLED] <= MOST_CALLED) is not of_new_closure
 
 
 @pytest.mark.parametrize("last", [3.9, 3.5], ids=["other numbers", "equal numbers"])

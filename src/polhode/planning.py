@@ -239,15 +239,41 @@ def prepare(request: Request) -> Prepared:
     Raises:
         InvalidInput: for options that do not go with the method.
     """
-    system, state, method = request.system, request.state, request.method
-    if is_series(method) and not (request.is_resumed and not goes_by_arrays(system, state)):
-        return _prepare_series(request, ASKED)
-    by_default = method is None and (request.step, request.order) == (None, None)
-    if by_default and (system.series_of_arrays or not request.is_resumed):
-        if has_short_series(system, state):
-            return _prepare_series(request, f"not {_name_of_other(system)}, as no step was given")
-        return prepare_without_series(request, "its rates are too many operations")
+    method = request.method
+    if method is None or is_series(method):
+        by_series = _prepare_by_series(
+            request.system, np.shape(request.state), np.iscomplexobj(request.state), method, request.step,
+            request.order, request.tolerance, request.is_resumed,
+        )
+        if by_series is not None:
+            return by_series
+        if method is None and not request.is_resumed and (request.step, request.order) == (None, None):
+            return prepare_without_series(request, "its rates are too many operations")
     return prepare_without_series(request)
+
+
+@kept_of_object
+def _prepare_by_series(
+    system: AbstractSystem, shape: tuple[int, ...], is_complex: bool, method: Any, step: float | None,
+    order: int | None, tolerance: float | None, is_resumed: bool,
+) -> Prepared | None:
+    """Return how a motion goes by series; None where it does not, at first."""
+    axes = facts_of(system).state_axes
+    one = np.zeros(shape[len(shape) - axes :], complex if is_complex else float)
+    by_arrays = goes_by_arrays(system, one)
+    reason = ASKED
+    if method is None:
+        by_default = (step, order) == (None, None) and (facts_of(system).series_of_arrays or not is_resumed)
+        if not (by_default and has_short_series(system, one)):
+            return None
+        reason = f"not {_name_of_other(system)}, as no step was given"
+    elif is_resumed and not by_arrays:
+        return None
+    _, solver = choose_solver(system, method or Taylor, order)
+    own_order = int(choose_precision(tolerance, solver.order, solver.is_extended).order)
+    plan = MotionPlan(Stepping.SERIES, "Taylor", own_order, step, tolerance, math.prod(shape[: len(shape) - axes]),
+                      ARRAYS if by_arrays else NUMBERS, reason)
+    return Prepared(plan, solver)
 
 
 @kept_of_object
@@ -255,14 +281,6 @@ def _name_of_other(system: AbstractSystem) -> str:
     if isinstance(system, AbstractLiePoissonSystem) and moves_by_generator(system):
         return class_for(system).__name__
     return "Dopri8"
-
-
-def _prepare_series(request: Request, reason: str) -> Prepared:
-    _, method = choose_solver(request.system, request.method or Taylor, request.order)
-    order = int(choose_precision(request.tolerance, method.order, method.is_extended).order)
-    engine = ARRAYS if goes_by_arrays(request.system, np.asarray(request.state)) else NUMBERS
-    return Prepared(MotionPlan(Stepping.SERIES, "Taylor", order, request.step, request.tolerance,
-                               _count(request), engine, reason), method)
 
 
 def prepare_without_series(request: Request, obstacle: str = "") -> Prepared:

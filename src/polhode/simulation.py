@@ -117,7 +117,7 @@ def simulate(
         NotConverged: if an implicit step does not converge, adaptive steps shrink to nothing, or no step meets the
             tolerance.
     """
-    with without_warnings(), silent(progress is not None), as_one_work("the motion"):
+    with silent(progress is not None), as_one_work("the motion"):
         request = check_request(
             system, state, times, method=method, step=step, order=order, tolerance=tolerance, save=save,
             resumable=resumable, memory=memory, progress=progress, throw=throw, estimate_error=estimate_error,
@@ -132,9 +132,10 @@ def _run(request: Request, prepared: Prepared) -> Trajectory:
     """Return the motion as it was planned."""
     if prepared.plan.stepping is Stepping.SERIES:
         return _by_series(request, prepared)
-    if prepared.plan.stepping is Stepping.EQUAL_STEPS:
-        return _by_equal_steps(request, prepared)
-    return _by_adaptive_steps(request, prepared)
+    with without_warnings():
+        if prepared.plan.stepping is Stepping.EQUAL_STEPS:
+            return _by_equal_steps(request, prepared)
+        return _by_adaptive_steps(request, prepared)
 
 
 def _by_series_or_other_steps(request: Request, prepared: Prepared) -> Trajectory:
@@ -244,8 +245,9 @@ def _by_series(request: Request, prepared: Prepared) -> Trajectory:
         raise NoSeries("its motion comes to a singularity.", f"it comes to a singularity {singular}", failed,
                        singular=singular)
     order = int(choose_precision(local, method.order, method.is_extended).order)
-    copies, engine = motion.successful.size, ARRAYS if motion.by_arrays else NUMBERS
-    plan = replace(prepared.plan, order=order, copies=copies, engine=engine)
+    plan, copies, engine = prepared.plan, motion.successful.size, ARRAYS if motion.by_arrays else NUMBERS
+    if (plan.order, plan.copies, plan.engine) != (order, copies, engine):
+        plan = replace(plan, order=order, copies=copies, engine=engine)
     trajectory = _finish(request, plan, plan.method, motion, error)
     if request.resumable and motion.memory is None:
         raise InvalidInput("`resumable` of Taylor goes with one state of a system without events, jumps and balances.")

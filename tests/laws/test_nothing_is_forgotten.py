@@ -168,7 +168,7 @@ CALLED_BY_OTHERS = {
     "planning.Request.name_copies",
     "planning.without_warnings", "planning.check_request", "planning.check_every", "planning.prepare",
     "planning.prepare_without_series", "measuring.throws.flight.check_windows",
-    "systems.base.as_finite_state", "systems.base.check_unit_attitude", "systems.base.components",
+    "systems.base.components",
     "fields.point_vortices.system.rounds_of_pairs", "fields.spin_lattice.system.add_damping",
     "systems.base.join_state", "systems.base.attitude_change", "spacecraft.systems.attachments.checked_attachments",
     "spacecraft.systems.moving_parts.checked_mounts", "spacecraft.systems.hinged_part.rotate_about",

@@ -11,7 +11,7 @@ from __future__ import annotations
 import abc
 import itertools
 import math
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from types import MethodType
 from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
@@ -35,9 +35,27 @@ Operand = Float64[Array, "*#batch {self.dim}"]
 _methods: WeakKeyDictionary[Any, tuple[type, dict[str, Any]]] = WeakKeyDictionary()
 
 
+@cache
+def _calling_at_once(kind: type) -> type:
+    """Return a class of methods that are called by their function and object, without Equinox's look at attributes."""
+
+    class Method(kind):
+        def __call__(self, *args: Any, **kwargs: Any) -> Any:
+            own = object.__getattribute__(self, "__dict__")
+            return own["__func__"](own["__self__"], *args, **kwargs)
+
+        def __reduce__(self) -> Any:  # as pickle finds no class made here
+            own = object.__getattribute__(self, "__dict__")
+            return getattr, (own["__self__"], own["__func__"].__name__)
+
+    Method.__name__, Method.__qualname__, Method.__module__ = kind.__name__, kind.__qualname__, kind.__module__
+    return Method
+
+
 def _without_self(method: Any) -> tuple[type, dict[str, Any]]:
-    """Return the class of a method that is a pytree, and its fields but function and object, which are not kept."""
-    return type(method), {name: x for name, x in vars(method).items() if name not in ("__func__", "__self__")}
+    """Return a class of methods that are pytrees, and the fields of one but function and object, which are not kept."""
+    fields = {name: x for name, x in vars(method).items() if name not in ("__func__", "__self__")}
+    return _calling_at_once(type(method)), fields
 
 
 def _are_equal(one: Any, other: Any) -> Any:
@@ -88,9 +106,7 @@ class HashableModule(eqx.Module):
                 return value
             known = _methods.get(value.__func__)
             if known is None:
-                known = super().__getattribute__(name)
-                _methods[value.__func__] = _without_self(known)
-                return known
+                known = _methods[value.__func__] = _without_self(super().__getattribute__(name))
             kind, fields = known
             method = object.__new__(kind)
             object.__getattribute__(method, "__dict__").update(fields, __func__=value.__func__, __self__=self)

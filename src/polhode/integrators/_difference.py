@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import itertools
-from typing import Any, TypeGuard
+from typing import Any
 
 import numpy as np
 
-from polhode.systems._component_sizes import component_sizes
+from polhode.systems._component_sizes import component_sizes, has_sizes_by_algebra
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, join_state
 from polhode.types import Array, Double, Float64
 
@@ -43,7 +43,7 @@ def relative_size(
         first: (batch…, …) state of the motion.
     """
     own = tuple(range(first.ndim - system.state_axes, first.ndim))
-    if not _has_sizes_by_algebra(system):
+    if not has_sizes_by_algebra(system):
         scales = component_sizes(system, first.reshape(-1, *first.shape[own[0] :])).reshape(first.shape)
         largest = np.maximum(sizes, np.where(np.isinf(scales), 0.0, scales))
         return np.max(gaps / np.where(largest > 0, largest, 1.0), axis=own)
@@ -52,12 +52,6 @@ def relative_size(
         largest = np.ones(sizes.shape[: own[0]]) if turns and place == 0 else sizes[part].max(axis=own)
         shares.append(gaps[part].max(axis=own) / np.where(largest > 0, largest, 1.0))
     return np.max(shares, axis=0)
-
-
-def _has_sizes_by_algebra(system: AbstractSystem) -> TypeGuard[AbstractLiePoissonSystem]:
-    """Return whether the algebra defines the sizes of a state's parts, and the system names none of its own."""
-    own = type(system).scales is not AbstractLiePoissonSystem.scales
-    return isinstance(system, AbstractLiePoissonSystem) and not own
 
 
 def parts_with_units(system: AbstractLiePoissonSystem, state: Double[Array, "..."]) -> list[Any]:
@@ -80,7 +74,7 @@ def starts_a_rounding_away(
     """
     rng, point = np.random.default_rng(1), np.asarray(state)
     count = 2  # a single one may lie along the motion by chance, where nothing grows
-    if not isinstance(system, AbstractLiePoissonSystem) or (of_parts and not _has_sizes_by_algebra(system)):
+    if not isinstance(system, AbstractLiePoissonSystem) or (of_parts and not has_sizes_by_algebra(system)):
         own = np.shape(point)[np.ndim(point) - system.state_axes :]
         moves = EPS * _sizes_by_system(system, point) if of_parts else places * _last_places(point)
         return [point + moves * (rng.normal(size=own) if of_parts else _signs(rng, own)) for _ in range(count)]

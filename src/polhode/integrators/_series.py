@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import contextlib
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -107,23 +106,23 @@ def is_series(method: Any) -> bool:
 
 def has_short_series(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
     """Return whether the rates of change at states (batch…, …) are of so few operations that series pay off."""
-    return facts_of(system).series_of_arrays or count_operations(system, _one(system, state)) <= LIMITS.max_operations
+    return facts_of(system).series_of_arrays or _operations(system, state) <= LIMITS.max_operations
 
 
 def goes_by_arrays(system: AbstractSystem, state: Double[Array, "..."]) -> bool:
     """Return whether the system's series are of whole arrays; such a motion can be resumed bit for bit."""
-    return facts_of(system).series_of_arrays or count_operations(system, _one(system, state)) > LIMITS.max_operations
+    return facts_of(system).series_of_arrays or _operations(system, state) > LIMITS.max_operations
 
 
-def _one(system: AbstractSystem, state: Double[Array, "..."]) -> Array:
-    return as_rows(system, state)[0]
+def _operations(system: AbstractSystem, state: Double[Array, "..."]) -> int:
+    return count_operations(system, as_rows(system, state)[0])
 
 
 def find_obstacle(
     system: AbstractSystem, state: Double[Array, "..."], times: tuple[float, float], extended: bool = False
 ) -> NoSeries | None:
     """Return why motions between two times have no series, as far as their starts show it."""
-    one = _one(system, state)
+    one = as_rows(system, state)[0]
     try:
         check_sizes(np.reshape(np.asarray(state), (-1, *one.shape)))
         if goes_by_arrays(system, state):
@@ -240,20 +239,26 @@ def _find_place(memory: Sequence[Array], states: Double[Array, "copies ..."], fi
     return Place(first - float(memory[0]), np.asarray(memory[1], states.dtype), float(memory[2]))
 
 
-@contextlib.contextmanager
-def reporting(meter: Any) -> Iterator[tuple[Callable[[float], None], Callable[[], None]]]:
-    """Yield what shows the completed share of a run by a meter, if there is one, and what only lets Ctrl-C act."""
-    with keep_interrupts() as check:
-        shown_state = [None if meter is None else meter.init()]
+class reporting:
+    """Give what shows the completed share of a run by a meter, if there is one, and what only lets Ctrl-C act."""
 
-        def report(share: float) -> None:
-            check()
-            if meter is not None:
-                shown_state[0] = meter.step(shown_state[0], jnp.asarray(share))
+    def __init__(self, meter: Any) -> None:
+        self._meter, self._interrupts = meter, keep_interrupts()
 
-        yield report, check
-        if meter is not None:
-            meter.close(shown_state[0])
+    def __enter__(self) -> tuple[Callable[[float], None], Callable[[], None]]:
+        self._check = self._interrupts.__enter__()
+        self._shown = None if self._meter is None else self._meter.init()
+        return self._report, self._check
+
+    def __exit__(self, kind: Any, *error: object) -> None:
+        self._interrupts.__exit__()
+        if self._meter is not None and kind is None:
+            self._meter.close(self._shown)
+
+    def _report(self, share: float) -> None:
+        self._check()
+        if self._meter is not None:
+            self._shown = self._meter.step(self._shown, jnp.asarray(share))
 
 
 def run_or_refuse(

@@ -9,19 +9,20 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode._base import check
-from polhode._base.arrays import compiled_for_few_calls, refuse_complex, require_doubles
+from polhode._base.arrays import compiled_for_few_calls, is_jax, refuse_complex, require_doubles
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.errors import InvalidInput, shown
 from polhode.types import Array, ArrayLike, Double, Float64, Real
 
 
-class DualLimits(NamedTuple):
-    """What decides that a point is on the dual."""
+class StartLimits(NamedTuple):
+    """What decides that a point is on the dual, and that four numbers are a unit quaternion."""
 
     max_distance: float = 1e-6  # of a point's size: single precision leaves some 1e-7 of a trace
+    max_length_error: float = 1e-6  # a quaternion further from unit length is a mistake, not rounding
 
 
-LIMITS = DualLimits()
+LIMITS = StartLimits()
 
 
 def checked_number(
@@ -83,12 +84,14 @@ def advancing_times(value: Real[ArrayLike, "time"]) -> Float64[np.ndarray, "time
         raise InvalidInput(
             f"`times` must be at least two times (T,), the first that of the start; got shape {times.shape}."
         )
-    if (wrong := np.flatnonzero(~np.isfinite(times))).size:
+    if not (finite := np.isfinite(times)).all():
+        wrong = np.flatnonzero(~finite)
         raise InvalidInput(
             f"`times` must be finite [s]; got {times[wrong[0]]} at index {wrong[0]}. Check where it comes from."
         )
-    gaps = np.sign(np.diff(times))
-    if (wrong := np.flatnonzero(~(gaps * (gaps[0] or 1.0) > 0))).size:
+    gaps = np.sign(times[1:] - times[:-1])
+    if not (advances := gaps * (gaps[0] or 1.0) > 0).all():
+        wrong = np.flatnonzero(~advances)
         before, here = times[wrong[0] : wrong[0] + 2].tolist()
         raise InvalidInput(
             f"`times` must advance in one direction, without repetitions; got {shown(here)} after {shown(before)} at "
@@ -130,6 +133,42 @@ def checked_directions(name: str, value: Real[ArrayLike, "count 3"]) -> Float64[
     if rows.ndim != 2 or rows.shape[-1] != 3 or not len(rows):
         raise InvalidInput(f"`{name}` must be a list of directions (n, 3); got {shown(value)}.")
     return jnp.asarray(np.stack([np.asarray(checked_direction(f"{name}[{k}]", row)) for k, row in enumerate(rows)]))
+
+
+def as_finite_state(state: Real[ArrayLike, "*shape"], dtype: Any, length: int | None = None) -> Double[Array, "*shape"]:
+    """Return a state as a new array of NumPy, or as JAX's if it is one.
+
+    Raises:
+        InvalidInput: for what is not a number, NaN or an infinity, or a last axis not of the length.
+    """
+    require_doubles(state=state)
+    dtype = np.dtype(dtype)
+    if dtype.kind != "c":
+        refuse_complex("state", state)
+    try:
+        if not is_jax(state):
+            state = np.array(state, dtype=dtype)
+        elif state.dtype != dtype:
+            state = jnp.asarray(state, dtype=dtype)
+    except (TypeError, ValueError):
+        raise InvalidInput(f"`state` must be numbers; got {shown(state)}.") from None
+    if not np.logical_and.reduce(np.isfinite(np.asarray(state)), axis=None):
+        raise InvalidInput("`state` must be finite; got NaN or an infinity. Check where it comes from.")
+    if length is not None and state.shape[-1:] != (length,):
+        raise InvalidInput(f"`state` must have shape (…, {length}); got {state.shape}.")
+    return state
+
+
+def check_unit_attitude(state: Float64[Array, "*batch n"]) -> Float64[Array, "*batch n"]:
+    """Return states that begin with a quaternion.
+
+    Raises:
+        InvalidInput: if it is not of unit length.
+    """
+    off = np.abs(np.linalg.norm(np.asarray(state)[..., :4], axis=-1) - 1.0)
+    if not np.logical_and.reduce(off < LIMITS.max_length_error, axis=None):
+        raise InvalidInput("`state` must begin with a unit quaternion (w, x, y, z); divide it by its norm.")
+    return state
 
 
 def check_on_dual(algebra: AbstractLieAlgebra, state: Double[Array, "*shape"]) -> Double[Array, "*shape"]:

@@ -56,6 +56,12 @@ def facts_of(system: AbstractSystem) -> Facts:
                  system.names_all_jumps, system.series_of_arrays, kind.__module__.partition(".")[0] == "polhode")
 
 
+@kept_of_object
+def has_attitude(system: AbstractLiePoissonSystem, width: int) -> bool:
+    """Return whether states of so many numbers begin with the attitude."""
+    return system.parts(np.zeros(width)).attitude is not None
+
+
 def as_rows(system: AbstractSystem, state: Double[Array, "..."]) -> Double[np.ndarray, "copies ..."]:
     """Return states (batch…, *shape) one below the other, (C, *shape)."""
     state = np.asarray(state)

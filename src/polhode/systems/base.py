@@ -12,11 +12,12 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode import rotation
-from polhode._base.arrays import is_jax, known_numbers_only, namespace, refuse_complex, require_doubles
+from polhode._base.arrays import known_numbers_only, namespace, require_doubles
+from polhode._base.kept import kept_of_object
 from polhode.algebra._functions import Function
 from polhode.algebra._rotations import check_rotations, parts_of_point, turns_alone
 from polhode.algebra.base import AbstractLieAlgebra, HashableModule
-from polhode.errors import InvalidInput, shown
+from polhode.errors import InvalidInput
 from polhode.motion._layout import (
     ATTITUDE,
     ENERGY,
@@ -27,22 +28,13 @@ from polhode.motion._layout import (
     Quantity,
     StateLayout,
 )
-from polhode.systems._checks import check_on_dual
+from polhode.systems._checks import as_finite_state, check_on_dual, check_unit_attitude
 from polhode.systems.steady_motion import SteadyMotion
 from polhode.types import Array, ArrayLike, Double, Float64, Integer, Real
 
 Components = tuple[Double[Array, "*shape"], ...]
 Flow = Callable[[Float64[Array, ""], Components], Components]
 Event = Callable[[Float64[Array, ""], Double[Array, "..."]], Float64[Array, ""]]
-
-
-class AttitudeLimits(NamedTuple):
-    """What decides that four numbers are a unit quaternion."""
-
-    max_length_error: float = 1e-6  # a quaternion further from unit length is a mistake, not rounding
-
-
-LIMITS = AttitudeLimits()
 
 
 class Parts(NamedTuple):
@@ -360,10 +352,13 @@ class AbstractLiePoissonSystem(AbstractSystem):
             InvalidInput: for wrong shapes, values that are not finite, an attitude that is not a unit quaternion, and
                 matrices that do not lie on the algebra's dual.
         """
-        state = as_finite_state(state, self.algebra.dtype)
-        if self.parts(np.asarray(state)).attitude is not None:
+        form = _form_of_points(self)
+        state = as_finite_state(state, form.dtype)
+        if form.packed is not None and state.shape[-1:] == form.packed:
             return check_unit_attitude(state)
-        return check_on_dual(self.algebra, state) if self.algebra.element_rule else state
+        if state.shape[state.ndim - len(form.shape) :] != form.shape:
+            self.parts(state)  # refuses it
+        return check_on_dual(self.algebra, state) if form.has_rule else state
 
     @property
     def carries_attitude(self) -> bool:
@@ -389,38 +384,20 @@ class AbstractLiePoissonSystem(AbstractSystem):
         return Parts(None, state)
 
 
-def as_finite_state(state: Real[ArrayLike, "*shape"], dtype: Any, length: int | None = None) -> Double[Array, "*shape"]:
-    """Return a state as a new array of NumPy, or as JAX's if it is one.
+class _FormOfPoints(NamedTuple):
+    """What points of a dual are: their shape and type, whether they obey a rule, and the last axis with an attitude."""
 
-    Raises:
-        InvalidInput: for what is not a number, NaN or an infinity, or a last axis not of the length.
-    """
-    require_doubles(state=state)
-    if not np.issubdtype(dtype, np.complexfloating):
-        refuse_complex("state", state)
-    try:
-        if not is_jax(state):
-            state = np.array(state, dtype=dtype)
-        elif state.dtype != dtype:
-            state = jnp.asarray(state, dtype=dtype)
-    except (TypeError, ValueError):
-        raise InvalidInput(f"`state` must be numbers; got {shown(state)}.") from None
-    if not np.isfinite(np.asarray(state)).all():
-        raise InvalidInput("`state` must be finite; got NaN or an infinity. Check where it comes from.")
-    if length is not None and state.shape[-1:] != (length,):
-        raise InvalidInput(f"`state` must have shape (…, {length}); got {state.shape}.")
-    return state
+    shape: tuple[int, ...]
+    dtype: Any
+    has_rule: bool
+    packed: tuple[int] | None
 
 
-def check_unit_attitude(state: Float64[Array, "*batch n"]) -> Float64[Array, "*batch n"]:
-    """Return states that begin with a quaternion.
-
-    Raises:
-        InvalidInput: if it is not of unit length.
-    """
-    if not np.all(np.abs(np.linalg.norm(np.asarray(state)[..., :4], axis=-1) - 1.0) < LIMITS.max_length_error):
-        raise InvalidInput("`state` must begin with a unit quaternion (w, x, y, z); divide it by its norm.")
-    return state
+@kept_of_object
+def _form_of_points(system: AbstractLiePoissonSystem) -> _FormOfPoints:
+    algebra, own = system.algebra, system.algebra.element_shape
+    packed = (4 + own[0],) if system.carries_attitude else None
+    return _FormOfPoints(own, np.dtype(algebra.dtype), bool(algebra.element_rule), packed)
 
 
 def components(state: Double[Array, "*shape n"]) -> Components:

@@ -25,7 +25,13 @@ from polhode.motion._layout import (
     StateLayout,
     StatePart,
 )
-from polhode.systems._checks import checked_direction, checked_number, checked_vector
+from polhode.systems._checks import (
+    as_finite_state,
+    check_unit_attitude,
+    checked_direction,
+    checked_number,
+    checked_vector,
+)
 from polhode.systems._symmetric import solve_symmetric
 from polhode.systems.base import (
     AbstractLiePoissonSystem,
@@ -33,8 +39,6 @@ from polhode.systems.base import (
     Balance,
     Flow,
     Vectors,
-    as_finite_state,
-    check_unit_attitude,
 )
 from polhode.systems.free_rigid_body import axis_flow, checked_moments
 from polhode.types import Array, ArrayLike, Float64, Real

@@ -198,10 +198,12 @@ class HeavyTop(AbstractLiePoissonSystem):
     @known_numbers_only
     def check_state(self, state: Real[ArrayLike, "*shape"]) -> Float64[Array, "*shape"]:
         state = super().check_state(state)
-        attitude, point = self.parts(np.asarray(state))
-        if attitude is not None:
-            up = rotation.rotate(rotation.conjugate(attitude), np.array([0.0, 0.0, 1.0]))
-            if not np.all(np.abs(up - point[..., 3:]) < LIMITS.upward_error):
+        known = np.asarray(state)
+        if known.shape[-1] == 10:
+            w, x, y, z = (known[..., k] for k in range(4))
+            up = 2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)  # Rᵀe_z
+            off = [np.abs(one - known[..., k]).max() for k, one in enumerate(up, 7)]
+            if not max(off) < LIMITS.upward_error:
                 raise InvalidInput(
                     "`state` must end with Γ, the upward direction along the body's axes as its attitude has it, "
                     "Rᵀe_z. Make it by `top.pack(attitude, angular_velocity)`."

@@ -16,7 +16,7 @@ from polhode.motion._layout import Quantity, StateLayout
 from polhode.motion._outcome import Ends, Outcome
 from polhode.motion._plan import MotionPlan
 from polhode.motion._trajectory import Trajectory
-from polhode.systems._forms import facts_of
+from polhode.systems._forms import facts_of, has_attitude
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.types import Array, Double, Float64
 
@@ -38,12 +38,16 @@ class Told(NamedTuple):
         balances: values of these.
         vectors: attitude, momentum and angular velocity.
         sizes: Σ |x ∂C/∂x| of each invariant C that is one number, at the first states.
+        rows: names, values (batch…, T, K) and sizes (batch…, K) of these together; None where they are apart.
+        is_finite: whether all values are known to be finite.
     """
 
     invariants: Mapping[str, Array]
     balances: Mapping[str, Array]
     vectors: tuple[Array | None, ...]
     sizes: Mapping[str, Array]
+    rows: tuple[tuple[str, ...], Array, Array] | None = None
+    is_finite: bool = False
 
 
 def make_trajectory(
@@ -61,22 +65,12 @@ def make_trajectory(
     axis = states.ndim - 1 - facts_of(system).state_axes
     if told is None:
         told = _tell(system, np.asarray(times), states, axis)
-    # what holds on other leaves only is NaN on this one
-    fine, unknown = dict[str, Array](), dict[str, Array]()
-    for name, value in told.invariants.items():
-        value = np.asarray(value)
-        (unknown if np.isnan(value).all() else fine)[name] = value
-    if "energy" in unknown and np.isfinite(states).all():
-        warnings.warn(
-            f"the energy of {type(system).__name__} is not a number along the motion, though its derivatives are: what "
-            "it drifts by is not known. Check its domain, as of a logarithm of what is negative.", stacklevel=2,
-        )
-    invariants, quantities = _representable(system, states, fine), _quantities(system)
+    invariants, quantities = _meaningful(system, states, told), _quantities(system)
     values: dict[str, Array] = {name: np.asarray(value) for name, value in told.balances.items()}
     got: dict[str, Array] = {name: np.asarray(value) for name, value in received.items()}
     vectors = [None if x is None else np.asarray(x) for x in told.vectors]
     beyond = None if ends is None or not ends.events else ends.beyond(times)
-    drift = _drifts(invariants, told.sizes, quantities, axis, beyond)
+    drift = _drifts(invariants, told, quantities, axis, beyond)
     if got:
         with np.errstate(invalid="ignore"):  # beyond the end of a copy
             # what was received is a term of a balance, which may begin at zero
@@ -128,48 +122,60 @@ def _tell(system: AbstractSystem, times: Array, states: Array, axis: int) -> Tol
 
 
 def _drifts(
-    invariants: dict[str, Array], sizes: Mapping[str, Array], quantities: dict[str, Quantity], axis: int,
-    beyond: Array | None,
+    invariants: dict[str, Array], told: Told, quantities: dict[str, Quantity], axis: int, beyond: Array | None
 ) -> dict[str, Array]:
-    """Return the drifts of invariants; of those that are one number, and not one of each copy, all at once."""
+    """Return the drifts of invariants; of those that stand together all at once."""
+    drift, rows = dict[str, Array](), told.rows
+    if rows is not None and rows[0] and all(name in invariants for name in rows[0]):
+        off = np.asarray(_drift(rows[1], axis, rows[2], True, beyond))
+        drift = {name: off[..., k] if off.ndim > 1 else off[k] for k, name in enumerate(rows[0])}
     own = {name for name, quantity in quantities.items() if quantity.of_copies}
-    single = [name for name, value in invariants.items() if value.ndim == axis + 1 and name in sizes]
-    drift = {name: _drift(value, axis, sizes.get(name), name in own, beyond)
-             for name, value in invariants.items() if name not in single}  # fmt: skip
-    if single:
-        values = np.stack([invariants[name] for name in single], axis=-1)
-        terms = np.stack([np.asarray(sizes[name]) for name in single], axis=-1)
-        off = np.moveaxis(np.asarray(_drift(values, axis, terms, True, beyond)), -1, 0)
-        drift |= dict(zip(single, off, strict=True))
-    return {name: drift[name] for name in invariants}
+    return {
+        name: drift[name] if name in drift else _drift(value, axis, told.sizes.get(name), name in own, beyond)
+        for name, value in invariants.items()
+    }
 
 
-def _representable(system: AbstractSystem, states: Array, invariants: dict[str, Array]) -> dict[str, Array]:
-    """Return the invariants whose values neither overflow nor vanish in underflow, with a warning of the others."""
-    if not np.isfinite(states).all() or not isinstance(system, AbstractLiePoissonSystem):
+def _meaningful(system: AbstractSystem, states: Array, told: Told) -> dict[str, Array]:
+    """Return the invariants that have values, which neither overflow nor vanish in underflow, with a warning."""
+    values: dict[str, Array] = {name: np.asarray(value) for name, value in told.invariants.items()}
+    if told.is_finite:
+        return _without_tiny(system, states, values, [])
+    # what holds on other leaves only is NaN on this one
+    invariants = {name: value for name, value in values.items() if not np.isnan(value).all()}
+    if not np.isfinite(states).all():
         return invariants
-    lost = [name for name, value in invariants.items() if not np.isfinite(value).all()]
-    size, least = float(np.max(np.abs(_of_point(system, states)), initial=0.0)), LIMITS.min_size
+    if "energy" in values and "energy" not in invariants:
+        warnings.warn(
+            f"the energy of {type(system).__name__} is not a number along the motion, though its derivatives are: what "
+            "it drifts by is not known. Check its domain, as of a logarithm of what is negative.", stacklevel=3,
+        )
+    infinite = [name for name, value in invariants.items() if not np.isfinite(value).all()]
+    return _without_tiny(system, states, invariants, infinite)
+
+
+def _without_tiny(
+    system: AbstractSystem, states: Array, invariants: dict[str, Array], lost: list[str]
+) -> dict[str, Array]:
+    """Return invariants at finite states without those that are lost, or so small that they lose digits."""
+    if not isinstance(system, AbstractLiePoissonSystem):
+        return invariants
+    size, least = float(np.abs(_of_point(system, states)).max(initial=0.0)), LIMITS.min_size
     if 0.0 < size < least:
         lost = [name for name, value in invariants.items() if name in lost or np.abs(value).max() < least**2]
     if lost:
         warnings.warn(
             f"{', '.join(lost)}: the values of what is conserved are beyond double precision at states of size "
             f"{size:.1e}, and are left out. Choose units in which states are nearer to one.",
-            stacklevel=2,
+            stacklevel=4,
         )
-    return {name: value for name, value in invariants.items() if name not in lost}
+    return {name: value for name, value in invariants.items() if name not in lost} if lost else invariants
 
 
 def _of_point(system: AbstractLiePoissonSystem, states: Array) -> Array:
     """Return the points of the dual in states, whose attitude stands in front of a single axis."""
-    axes = facts_of(system).state_axes
-    return states if axes != 1 else states[..., states.shape[-1] - _point_size(system) :]
-
-
-@kept_of_object
-def _point_size(system: AbstractLiePoissonSystem) -> int:
-    return system.algebra.element_shape[-1]
+    is_vector = facts_of(system).state_axes == 1
+    return states[..., 4:] if is_vector and has_attitude(system, states.shape[-1]) else states
 
 
 class _Said(NamedTuple):
@@ -243,14 +249,15 @@ def _drift(
         of_copies: whether each copy along the last axis has a drift of its own.
         beyond: (batch…, T) samples that do not count, as a copy of the batch has ended before.
     """
-    vector = values.ndim > axis + 1 and not of_copies
-    first = np.take(values, [0], axis=axis)
+    vector, front = values.ndim > axis + 1 and not of_copies, (slice(None),) * axis
+    first = values[(*front, slice(0, 1))]
     off, size = np.abs(values - first), np.abs(first)
     if beyond is not None:
         off = np.where(beyond.reshape(*beyond.shape, *(1,) * (off.ndim - beyond.ndim)), 0.0, off)
     if vector:
-        off, size = np.linalg.norm(off, axis=-1), np.linalg.norm(size, axis=-1)
-    size = np.take(size, 0, axis=axis)
+        off, size = (np.sqrt(np.add.reduce(x * x, axis=-1)) for x in (off, size))
+    size = size[(*front, 0)]
     if terms is not None:
-        size = np.maximum(size, np.nan_to_num(np.asarray(terms)))
-    return np.max(off, axis=axis) / np.where(size > 0, size, 1.0)
+        known = np.asarray(terms)
+        size = np.maximum(size, known if np.isfinite(known).all() else np.nan_to_num(known))
+    return off.max(axis=axis) / np.where(size > 0, size, 1.0)

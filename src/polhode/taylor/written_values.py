@@ -39,14 +39,15 @@ class WrittenLimits(NamedTuple):
 
 LIMITS = WrittenLimits()
 Lines = Callable[..., tuple[Any, ...]]
-POWERS = {-1.0: "1.0 / {}", 0.5: "root({})", -0.5: "1.0 / root({})"}
+POWERS = {-1.0: "1.0 / {0}", -2.0: "1.0 / ({0} * {0})", 1.5: "{0} * root({0})", 0.5: "root({0})",
+          -0.5: "1.0 / root({0})", -1.5: "1.0 / ({0} * root({0}))"}  # fmt: skip
 
 
 class Written(NamedTuple):
     """Functions of the numbers of a state and of a system.
 
     Attributes:
-        values: those of invariants, one after the other, then of vectors.
+        values: those of invariants that are one number, of the others, then of vectors.
         sizes: Σ |x ∂C/∂x| of each invariant that is one number.
         shapes: of invariants by name, in their order.
         vectors: sizes of attitude, momentum and angular velocity; None where meaningless.
@@ -76,18 +77,23 @@ def tell(system: AbstractSystem, states: Double[np.ndarray, "*batch time ..."]) 
         sizes = _at(written.sizes, first, numbers)
     except (ArithmeticError, ValueError):  # of Python's numbers, where NumPy has an infinity or NaN
         return None
-    invariants, place = dict[str, np.ndarray](), 0
+    single = tuple(name for name, own in written.shapes.items() if not own)
+    together, place = values[:, : len(single)].reshape(*leading, len(single)), len(single)
+    invariants: dict[str, Any] = dict.fromkeys(written.shapes)  # in this order
     for name, own in written.shapes.items():
-        count = math.prod(own)
-        invariants[name] = values[:, place : place + count].reshape(*leading, *own)
-        place += count
-    vectors = list[Any]()
+        if own:
+            count = math.prod(own)
+            invariants[name] = values[:, place : place + count].reshape(*leading, *own)
+            place += count
+    for k, name in enumerate(single):
+        invariants[name] = together[..., k]
+    is_finite, vectors = bool(np.isfinite(values[:, :place]).all()), list[Any]()
     for count in written.vectors:
         vectors.append(None if count is None else values[:, place : place + count].reshape(*leading, count))
         place += count or 0
-    single = (name for name, own in written.shapes.items() if not own)
-    of_first = {name: sizes[:, k].reshape(leading[:-1]) for k, name in enumerate(single)}
-    return Told(invariants, {}, Vectors(*vectors), of_first)
+    sizes = sizes.reshape(*leading[:-1], len(single))
+    of_first = {name: sizes[..., k] for k, name in enumerate(single)}
+    return Told(invariants, {}, Vectors(*vectors), of_first, (single, together, sizes), is_finite)
 
 
 def _at(lines: Lines, states: Float64[np.ndarray, "states n"], numbers: list[float]) -> Float64[np.ndarray, "states k"]:
@@ -128,10 +134,10 @@ def _write(structure: Structure, form: Form, kind: type) -> Written | None:
     def functions(x: Any, numbers: Any) -> Any:
         system, state = structure.with_numbers(numbers), form.state(x)
         invariants, vectors = system.invariants(state), system.vectors(state)
-        order[:] = invariants
+        order[:] = sorted(invariants)  # as JAX has them
         of_copies = any(quantity.of_copies for quantity in system.quantities.values())
         has_more[0] = bool(of_copies or system.balance_values(0.0, state) or system.invariant_sizes(state))
-        return tuple(invariants.values()), vectors
+        return tuple(invariants[name] for name in order), vectors
 
     arguments = [jax.ShapeDtypeStruct((count,), float) for count in (form.size, structure.size)]
     closed, (invariants, vectors) = jax.make_jaxpr(functions, return_shape=True)(*arguments)
@@ -148,7 +154,9 @@ def _write(structure: Structure, form: Form, kind: type) -> Written | None:
     slopes = [gradient(values[k][0])[: form.size] for k in single]
     lines = _Lines(tape, form.size)
     of_vectors = tuple(None if each is None else math.prod(each.shape) for each in vectors)
-    return Written(lines.write(list(chain(*values))), lines.write_sizes(slopes), shapes, of_vectors)
+    numbers_first = [*single, *(k for k in range(len(values)) if k not in single)]
+    return Written(lines.write(list(chain(*(values[k] for k in numbers_first)))), lines.write_sizes(slopes), shapes,
+                   of_vectors)
 
 
 class _Lines:
@@ -186,7 +194,8 @@ class _Lines:
                 needed.update(self.tape.nodes[place - self.tape.size].arguments)
         body = [f"    z{place} = {self._node(self.tape.nodes[place - self.tape.size])}"
                 for place in sorted(needed) if place >= self.tape.size]  # fmt: skip
-        text = "\n".join([f"def lines(root, {', '.join(self.arguments)}):", *body, f"    return ({', '.join(texts)},)"])
+        results = "".join(f"{each}, " for each in texts)
+        text = "\n".join([f"def lines(root, {', '.join(self.arguments)}):", *body, f"    return ({results})"])
         space: dict[str, Any] = {}
         exec(compile(text, "<values of a system>", "exec"), space)
         return space["lines"]
@@ -218,4 +227,5 @@ def _number(x: float) -> str:
     """
     if not math.isfinite(x):
         raise Untraceable("a number that is not finite")
-    return f"({x!r})" if x < 0.0 else repr(x)
+    text = repr(x)
+    return f"({text})" if x < 0.0 else text

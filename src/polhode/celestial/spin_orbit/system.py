@@ -11,8 +11,8 @@ from polhode._base import check
 from polhode._base.arrays import known_numbers_only
 from polhode.bodies.body import Body
 from polhode.motion._layout import Quantity, StateLayout, StatePart
-from polhode.systems._checks import checked_number
-from polhode.systems.base import AbstractSystem, Balance, as_finite_state
+from polhode.systems._checks import as_finite_state, checked_number
+from polhode.systems.base import AbstractSystem, Balance
 from polhode.systems.kepler_orbit import KeplerOrbit
 from polhode.types import Array, ArrayLike, Float64, Real
 

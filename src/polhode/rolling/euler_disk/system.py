@@ -20,7 +20,8 @@ from polhode.rolling.euler_disk._mechanics import LIMITS, RollingMechanics, chec
 from polhode.rolling.euler_disk._steady_motion import WITHOUT_DISSIPATION, differentiate_rolling
 from polhode.rolling.euler_disk.dissipation import RollingDissipation, couples, slow_push
 from polhode.special._legendre import LegendreFunction, legendre_function
-from polhode.systems.base import AbstractSystem, Balance, Event, Vectors, as_finite_state
+from polhode.systems._checks import as_finite_state
+from polhode.systems.base import AbstractSystem, Balance, Event, Vectors
 from polhode.systems.steady_motion import SteadyMotion
 from polhode.types import Array, ArrayLike, Float64, Real
 

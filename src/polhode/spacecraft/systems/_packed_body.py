@@ -32,8 +32,9 @@ from polhode.spacecraft.systems.mounts import AbstractMount, AbstractMounted
 from polhode.spacecraft.systems.moving_parts import AbstractMovingPart
 from polhode.spacecraft.systems.propellant import Propellant
 from polhode.spacecraft.torques import AbstractTorque
+from polhode.systems._checks import as_finite_state, check_unit_attitude
 from polhode.systems._symmetric import solve_symmetric
-from polhode.systems.base import AbstractSystem, as_finite_state, check_unit_attitude
+from polhode.systems.base import AbstractSystem
 from polhode.types import Array, ArrayLike, Float64, Real
 
 
