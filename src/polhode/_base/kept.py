@@ -67,7 +67,7 @@ def find_kept(thing: Any) -> dict[Any, Any] | None:
             del kept[place]
 
     while len(_kept) >= LIMITS.max_objects:
-        _kept.pop(next(iter(_kept)), None)
+        _kept.pop(next(iter(list(_kept))), None)
     _kept[place] = weakref.ref(thing, forget), {}
     return _kept[place][1]
 
