@@ -266,7 +266,7 @@ class EulerDisk(AbstractSystem):
         Raises:
             InvalidInput: for a wrong shape, and for tilts at which the disk does not touch with one point of its rim.
         """
-        state = as_finite_state(state, float)
+        state = jnp.asarray(as_finite_state(state, float))
         if jnp.shape(state)[-1:] != (8,):
             raise InvalidInput(
                 f"`state` of EulerDisk must have shape (…, 8): θ, φ, χ, X, Y, ω1, ω2, ω3; got {jnp.shape(state)}. "
