@@ -142,6 +142,11 @@ class Tape:
 
     def as_node(self, x: Expression) -> tuple[int, float]:
         """Return a node and the factor by which an expression is that node; sums equal up to sign are one node."""
+        if x.as_node is None:  # as an element of a matrix is a factor of as many products as a row is long
+            x.as_node = self._find_node(x)
+        return x.as_node
+
+    def _find_node(self, x: Expression) -> tuple[int, float]:
         if len(x.terms) == 1 and x.constant == 0.0:
             return next(iter(x.terms.items()))
         items = sorted(x.terms.items())
@@ -229,69 +234,15 @@ class Tape:
         return Expression(self, {node: 1.0})
 
 
-def gradient(x: Expression) -> list[Expression]:
-    """Return the derivatives of an expression by the components of the state, as expressions of its tape."""
-    tape = x.tape
-    slopes: dict[int, Expression] = {k: tape.constant(c) for k, c in x.terms.items()}
-    # backwards from the last node: by the time a node is taken, all that depend on it have been
-    waiting = sorted((k for k in slopes if k >= tape.size), reverse=True)
-    while waiting:
-        place = waiting.pop(0)
-        by = slopes.pop(place)
-        node = tape.nodes[place - tape.size]
-        for argument, slope in _slopes(tape, place, node):
-            if argument >= tape.size and argument not in slopes:
-                waiting.append(argument)
-                waiting.sort(reverse=True)
-            slopes[argument] = slopes.get(argument, tape.constant(0.0)) + by * slope
-    return [slopes.get(k, tape.constant(0.0)) for k in range(tape.size)]
-
-
-def _slopes(tape: Tape, place: int, node: Node) -> list[tuple[int, Any]]:
-    """Return the derivatives of a node by its arguments."""
-    z = [Expression(tape, {k: 1.0}) for k in node.arguments]
-    own = Expression(tape, {place: 1.0})
-    match node.operation:
-        case Operation.AFFINE:
-            return list(zip(node.arguments, node.coefficients, strict=True))
-        case Operation.PRODUCT:
-            return [(node.arguments[0], z[1]), (node.arguments[1], z[0])]
-        case Operation.POWER:
-            return [(node.arguments[0], node.number * z[0] ** (node.number - 1.0))]
-        case Operation.EXPONENTIAL:
-            return [(node.arguments[0], own)]
-        case Operation.LOGARITHM:
-            return [(node.arguments[0], z[0] ** -1.0)]
-        case Operation.SINE:
-            return [(node.arguments[0], Expression(tape, {place + 1: 1.0}))]
-        case Operation.COSINE:  # whose second argument only says which sine goes with it
-            return [(node.arguments[0], -z[1])]
-        case Operation.TANH:
-            return [(node.arguments[0], Expression(tape, {place + 1: 1.0}))]
-        case Operation.SQUARED_SECANT:  # it follows its tanh
-            return [(node.arguments[0], own * z[1] * -2.0)]
-        case Operation.EXPONENTIAL_MINUS_ONE:
-            return [(node.arguments[0], own + 1.0)]
-        case Operation.LOGARITHM_OF_ONE_PLUS:
-            return [(node.arguments[0], (z[0] + 1.0) ** -1.0)]
-        case Operation.ECCENTRIC:
-            cosine = Expression(tape, {place + 2: 1.0})
-            # dE/dM = 1/(1 − e cos E)
-            return [(node.arguments[0], (1.0 - node.number * cosine) ** -1.0)]
-        case Operation.ECCENTRIC_SINE:
-            return [(node.arguments[1], Expression(tape, {place + 1: 1.0}))]
-        case _:
-            return [(node.arguments[1], Expression(tape, {place - 1: -1.0}))]
-
-
 class Expression:
     """c + Σ cᵢ zᵢ over nodes zᵢ of one tape."""
 
-    __slots__ = ("constant", "tape", "terms")
+    __slots__ = ("as_node", "constant", "tape", "terms")
     __array_priority__ = 1000.0
 
     def __init__(self, tape: Tape, terms: dict[int, float], constant: float = 0.0) -> None:
         self.tape, self.terms, self.constant = tape, terms, constant
+        self.as_node: tuple[int, float] | None = None  # what ``Tape.as_node`` gives, once it has been asked for
 
     def _like(self, other: Any) -> Expression:
         return other if isinstance(other, Expression) else Expression(self.tape, {}, float(other))

@@ -214,5 +214,6 @@ def find_needed(tape: Tape, outputs: list[Expression]) -> list[int]:
         needed.add(k)
         node: Node = tape.nodes[k - tape.size]
         left.extend(node.arguments)
-        left.extend(k + 1 + companion for companion in range(len(COMPANIONS.get(node.operation, ()))))
+        if node.operation in COMPANIONS:
+            left.extend(range(k + 1, k + 1 + len(COMPANIONS[node.operation])))
     return sorted(needed)

@@ -30,7 +30,7 @@ from polhode.taylor.elementary import (
     sine_and_cosine,
 )
 from polhode.taylor.expressions import Complex, Expression, Tape, Untraceable, total
-from polhode.types import Array
+from polhode.types import Array, Bool
 
 Rule = Callable[[list[Array], Entry], list[Any]]
 RULES: dict[str, Rule] = {}
@@ -282,10 +282,17 @@ def _multiply_all(x: list[Array], entry: Entry) -> list[Array]:
 def _dot(x: list[Array], entry: Entry) -> list[Array]:
     left, right, shape = factors(x, entry.parameters)
     tape, result = _find_tape(*x), np.empty((*left.shape[:2], right.shape[1]), object)
+    some_left, some_right = _differ_from_zero(left), _differ_from_zero(right)
     for k, i, j in np.ndindex(result.shape):
-        pairs = zip(left[k, i], right[k, j], strict=True)
-        result[k, i, j] = total(tape, (u * v for u, v in pairs if not (_is_zero(u) or _is_zero(v))))
+        places = np.flatnonzero(some_left[k, i] & some_right[k, j]).tolist()
+        row, column = left[k, i], right[k, j]
+        result[k, i, j] = total(tape, [row[m] * column[m] for m in places])
     return [result.reshape(shape)]
+
+
+def _differ_from_zero(x: Array) -> Bool[np.ndarray, "..."]:
+    """Return which elements are not the number zero, once for all products that they are in."""
+    return np.array([not _is_zero(element) for element in x.flat], bool).reshape(x.shape)
 
 
 def _is_zero(x: Any) -> bool:
