@@ -21,6 +21,7 @@ import numpy as np
 from polhode._base.arrays import arrays_for_few_calls
 from polhode.algebra._closures import take_apart
 from polhode.algebra._functions import Function, check_functions
+from polhode.algebra._joint_functions import evaluate_jointly
 from polhode.algebra._polynomial import Polynomial
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.casimirs import polynomial_casimirs
@@ -75,15 +76,17 @@ class Known(Source):
 
     def __call__(self, x: Float64[Array, "n"]) -> Float64[Array, "k"]:
         point = self.system.algebra.from_dual_vector(x)
-        return _stack([x for function in self.system.extra_invariants.values() for x in jnp.ravel(function(point))])
+        values = evaluate_jointly(self.system.extra_invariants, point).values()
+        return _stack([x for value in values for x in jnp.ravel(value)])
 
     @property
     def names(self) -> list[str]:
         """Of each value; components of vectors and arrays are counted from 1."""
         algebra, names = self.system.algebra, []
         point = jax.ShapeDtypeStruct(algebra.element_shape, algebra.dtype)
-        for name, function in self.system.extra_invariants.items():
-            shape = jax.eval_shape(function, point).shape
+        values = jax.eval_shape(lambda x: evaluate_jointly(self.system.extra_invariants, x), point)
+        for name in self.system.extra_invariants:
+            shape = values[name].shape
             places = [", ".join(str(i + 1) for i in k) for k in np.ndindex(*shape)]
             names += [f"{name}, {place}" for place in places] if shape else [name]
         return names

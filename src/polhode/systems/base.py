@@ -15,6 +15,7 @@ from polhode import rotation
 from polhode._base.arrays import known_numbers_only, namespace, require_doubles
 from polhode._base.kept import kept_of_object
 from polhode.algebra._functions import Function
+from polhode.algebra._joint_functions import evaluate_jointly
 from polhode.algebra._rotations import check_rotations, parts_of_point, turns_alone
 from polhode.algebra.base import AbstractLieAlgebra, HashableModule
 from polhode.errors import InvalidInput
@@ -270,7 +271,10 @@ class AbstractLiePoissonSystem(AbstractSystem):
 
     @property
     def extra_invariants(self) -> dict[str, Function]:
-        """Conserved functions of the point other than energy and Casimirs, by name."""
+        """Conserved functions of the point other than energy and Casimirs, by name.
+
+        Those with common steps are ``JointFunction``, so that these steps are made once for all of them.
+        """
         return {}
 
     def vector_field(self, t: Real[ArrayLike, "..."], state: Double[Array, "*shape"]) -> Double[Array, "*shape"]:
@@ -292,7 +296,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
         attitude, point = self.parts(state)
         values = {"energy": self.energy(point)} if self.conserves_energy else {}
         values |= self.algebra.named_casimirs(point)
-        values |= {name: function(point) for name, function in self.extra_invariants.items()}
+        values |= evaluate_jointly(self.extra_invariants, point)
         if attitude is not None:
             values |= self.space_vectors(attitude, point)
         return values

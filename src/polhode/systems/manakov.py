@@ -8,6 +8,7 @@ import numpy as np
 
 from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.algebra._functions import Function
+from polhode.algebra._joint_functions import JointFunction
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.matrix import SO
 from polhode.errors import InvalidInput
@@ -62,20 +63,23 @@ class Manakov(AbstractLiePoissonSystem):
     @property
     def extra_invariants(self) -> dict[str, Function]:
         """Coefficients of s^j in tr (M + sΛ²)^k, k = 3, …, n, of even degree k − j in M."""
-        pairs = [(k, j) for k in range(3, self.size + 1) for j in range(1, k - 1) if (k - j) % 2 == 0]
-        return {f"s^{j} of tr (M + sΛ²)^{k}": self._coefficient(k, j) for k, j in pairs}
+        joint, names = self._traces, (_name_coefficient(k, j) for k, j in self._coefficients)
+        return {name: JointFunction(joint, name) for name in names}
 
-    def _coefficient(self, k: int, j: int) -> Function:
-        def value(point: Array) -> Array:
-            # (M + sΛ²)˙ = [M + sΛ², Ω + sΛ]: the terms of order s cancel, [M, Λ] + [Λ², Ω] = 0 by M = ΛΩ + ΩΛ
-            square = jnp.diag(self.masses**2)
-            powers = [jnp.eye(self.size)]  # coefficients of 1, s, …, s^j of (M + sΛ²)^m
-            for _ in range(k):
-                longer = ([p @ point for p in powers] + [jnp.zeros_like(point)])[: j + 1]
-                powers = [own + (powers[m - 1] @ square if m else 0.0) for m, own in enumerate(longer)]
-            return jnp.trace(powers[j], axis1=-2, axis2=-1)
+    @property
+    def _coefficients(self) -> list[tuple[int, int]]:
+        return [(k, j) for k in range(3, self.size + 1) for j in range(1, k - 1) if (k - j) % 2 == 0]
 
-        return value
+    def _traces(self, point: Array) -> dict[str, Array]:
+        # (M + sΛ²)˙ = [M + sΛ², Ω + sΛ]: the terms of order s cancel, [M, Λ] + [Λ², Ω] = 0 by M = ΛΩ + ΩΛ
+        point = jnp.asarray(point)
+        none = jnp.zeros_like(point)[..., None, :, :]
+        powers = [none + jnp.eye(self.size)]  # coefficients (…, m + 1, n, n) of 1, s, …, s^m of (M + sΛ²)^m
+        for _ in range(self.size - self.size // 2):
+            by_point, by_square = powers[-1] @ point[..., None, :, :], powers[-1] * self.masses**2
+            powers.append(jnp.concatenate([by_point, none], axis=-3) + jnp.concatenate([none, by_square], axis=-3))
+        return {_name_coefficient(k, j): _trace_of_product(powers[k // 2], powers[k - k // 2], j)
+                for k, j in self._coefficients}
 
     @property
     def flows(self) -> dict[str, Flow]:
@@ -99,3 +103,15 @@ class Manakov(AbstractLiePoissonSystem):
             return components(change - change.swapaxes(-1, -2))
 
         return flow
+
+
+def _name_coefficient(k: int, j: int) -> str:
+    return f"s^{j} of tr (M + sΛ²)^{k}"
+
+
+def _trace_of_product(one: Array, other: Array, degree: int) -> Array:
+    """Return the coefficient (…) of a degree of the trace of a product of polynomials (…, degrees, n, n) of matrices."""
+    low, high = max(0, degree - other.shape[-3] + 1), min(degree, one.shape[-3] - 1)
+    left = one[..., low : high + 1, :, :]
+    right = jnp.flip(other[..., degree - high : degree - low + 1, :, :], axis=-3)
+    return jnp.sum(left * jnp.swapaxes(right, -1, -2), axis=(-3, -2, -1))

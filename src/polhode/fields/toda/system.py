@@ -13,6 +13,7 @@ import numpy as np
 
 from polhode._base.arrays import require_doubles
 from polhode.algebra._functions import Function
+from polhode.algebra._joint_functions import JointFunction
 from polhode.fields.toda.algebra import Bidiagonal
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -73,10 +74,16 @@ class Toda(AbstractLiePoissonSystem):
     @property
     def extra_invariants(self) -> dict[str, Function]:
         """tr L^k, k = 3, …, n; those of k = 1 and 2 are Σb and 2H."""
-        return {f"tr L^{k}": partial(self._trace, k) for k in range(3, self.n + 1)}
+        joint = self._traces
+        return {(name := f"tr L^{k}"): JointFunction(joint, name) for k in range(3, self.n + 1)}
 
-    def _trace(self, k: int, point: Array) -> Array:
-        return jnp.trace(jnp.linalg.matrix_power(self.matrix(point), k), axis1=-2, axis2=-1)
+    def _traces(self, point: Array) -> dict[str, Array]:
+        powers = [self.matrix(point)]
+        for k in range(2, self.n - self.n // 2 + 1):
+            powers.append(powers[k // 2 - 1] @ powers[k - k // 2 - 1])
+        # tr L^k = Σ_ij (L^m)_ij (L^(k−m))_ij, as they are symmetric
+        pairs = {k: (powers[k // 2 - 1], powers[k - k // 2 - 1]) for k in range(3, self.n + 1)}
+        return {f"tr L^{k}": jnp.sum(one * other, axis=(-2, -1)) for k, (one, other) in pairs.items()}
 
     @property
     def flows(self) -> dict[str, Flow]:
