@@ -78,7 +78,8 @@ class Manakov(AbstractLiePoissonSystem):
         for _ in range(self.size - self.size // 2):
             by_point, by_square = powers[-1] @ point[..., None, :, :], powers[-1] * self.masses**2
             powers.append(jnp.concatenate([by_point, none], axis=-3) + jnp.concatenate([none, by_square], axis=-3))
-        return {_name_coefficient(k, j): _trace_of_product(powers[k // 2], powers[k - k // 2], j)
+        turned = [jnp.flip(jnp.swapaxes(power, -1, -2), axis=-3) for power in powers]
+        return {_name_coefficient(k, j): _trace_of_product(powers[k // 2], turned[k - k // 2], j)
                 for k, j in self._coefficients}
 
     @property
@@ -109,9 +110,12 @@ def _name_coefficient(k: int, j: int) -> str:
     return f"s^{j} of tr (M + sΛ²)^{k}"
 
 
-def _trace_of_product(one: Array, other: Array, degree: int) -> Array:
-    """Return the coefficient (…) of a degree of the trace of a product of polynomials (…, degrees, n, n) of matrices."""
-    low, high = max(0, degree - other.shape[-3] + 1), min(degree, one.shape[-3] - 1)
-    left = one[..., low : high + 1, :, :]
-    right = jnp.flip(other[..., degree - high : degree - low + 1, :, :], axis=-3)
-    return jnp.sum(left * jnp.swapaxes(right, -1, -2), axis=(-3, -2, -1))
+def _trace_of_product(one: Array, turned: Array, degree: int) -> Array:
+    """Return the coefficient (…) of a degree of tr PQ, of polynomials with matrices (…, degrees, n, n) as coefficients.
+
+    Those of Q are transposed, the one of the highest degree first.
+    """
+    last = turned.shape[-3] - 1
+    low, high = max(0, degree - last), min(degree, one.shape[-3] - 1)
+    other = turned[..., last - degree + low : last - degree + high + 1, :, :]
+    return jnp.sum(one[..., low : high + 1, :, :] * other, axis=(-3, -2, -1))

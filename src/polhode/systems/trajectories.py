@@ -212,7 +212,7 @@ def _terms(system: AbstractSystem, state: Array) -> dict[str, Array]:
         picked = {name: jnp.asarray(rows[k], values[name].dtype) for k, name in enumerate(values)}
         sizes = jax.vmap(lambda each: jnp.sum(jnp.abs(x * back(each)[0])))(picked) if values else ()
         terms: dict[str, Array] = {name: sizes[k] for k, name in enumerate(values)}
-        for name, each in choose(x, True).items():
+        for name, each in (choose(x, True) if own else {}).items():
             terms[name] = _of_copies(lambda y, name=name: choose(y, True)[name], x, each.size)
         return terms
 

@@ -18,8 +18,7 @@ from polhode._base.jaxprs import Listing, depends_on
 from polhode._base.kept import kept_of_object
 from polhode.systems._forms import distances, facts_of, rates_of_change
 from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem, Event
-from polhode.taylor.expressions import Expression, Tape, Untraceable
-from polhode.taylor.gradients import gradient
+from polhode.taylor.expressions import Expression, Tape, Untraceable, gradient
 from polhode.taylor.jaxprs import numbers_in, operations_on, write_jaxpr
 from polhode.taylor.operations import Operation
 from polhode.taylor.program import Program, make_program
