@@ -34,7 +34,7 @@ def pfaffian(matrix: Float64[Array, "*batch n n"]) -> Float64[Array, "*batch"]:
 
 
 def _begin_product(one: Float64[Array, "*batch m"], other: Float64[Array, "*batch k"]) -> Float64[Array, "*batch k"]:
-    """Return the first k coefficients of a product of polynomials, of which the other has k, one more than the first."""
+    """Return the first k coefficients of a product of polynomials, of which the first has fewer."""
     m, k = one.shape[-1], other.shape[-1]
     terms = one[..., :, None] * other[..., None, :]
     # in rows that are longer by one, each begins one place later: sums of columns are those of equal degree

@@ -146,12 +146,13 @@ class AbstractMatrixAlgebra(AbstractLieAlgebra):
         return 0.5 * (matrix - self.reversal(matrix))
 
     def _power_traces(self, mu: Array, powers: tuple[int, ...]) -> list[Array]:
-        traces, power, known = [], mu, 1
-        for k in powers:
-            while known < k:
-                power, known = power @ mu, known + 1
-            traces.append(jnp.trace(power, axis1=-2, axis2=-1))
-        return traces
+        """Return tr μ^k = Σ_ij (μ^m)_ij (μ^(k−m))_ji, by powers of matrices up to half the largest k."""
+        largest, known = max(powers, default=1), [mu]
+        for _ in range(largest - largest // 2 - 1):
+            known.append(known[-1] @ mu)
+        turned = [jnp.swapaxes(power, -1, -2) for power in known]
+        return [jnp.sum(known[k // 2 - 1] * turned[k - k // 2 - 1], axis=(-2, -1)) if k > 1
+                else jnp.trace(mu, axis1=-2, axis2=-1) for k in powers]
 
 
 class AbstractOrthogonalAlgebra(AbstractMatrixAlgebra):
