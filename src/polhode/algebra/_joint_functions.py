@@ -17,10 +17,12 @@ class JointFunction(NamedTuple):
     Attributes:
         joint: gives the values of all of them at a point, by name; one object for all.
         name: of this one.
+        sizes: gives Σ |x ∂C/∂x| of all of them, where their gradients are known; one object for all.
     """
 
     joint: Joint
     name: str
+    sizes: Joint | None = None
 
     def __call__(self, point: Double[Array, "..."]) -> Float64[Array, "..."]:
         """Return its value (…) at points."""
@@ -42,3 +44,10 @@ def evaluate_jointly(
         else:
             values[name] = function(point)
     return values
+
+
+def evaluate_sizes(functions: Mapping[str, Function], point: Double[Array, "..."]) -> dict[str, Float64[Array, "..."]]:
+    """Return the sizes Σ |x ∂C/∂x| of those functions at points that say them, by name."""
+    known = {name: function._replace(joint=function.sizes) for name, function in functions.items()
+             if isinstance(function, JointFunction) and function.sizes is not None}  # fmt: skip
+    return evaluate_jointly(known, point)

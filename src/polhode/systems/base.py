@@ -271,10 +271,7 @@ class AbstractLiePoissonSystem(AbstractSystem):
 
     @property
     def extra_invariants(self) -> dict[str, Function]:
-        """Conserved functions of the point other than energy and Casimirs, by name.
-
-        Those with common steps are ``JointFunction``, so that these steps are made once for all of them.
-        """
+        """Conserved functions of the point beside energy and Casimirs; ``JointFunction`` where they share steps."""
         return {}
 
     def vector_field(self, t: Real[ArrayLike, "..."], state: Double[Array, "*shape"]) -> Double[Array, "*shape"]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from polhode._base.arrays import known_numbers_only, require_doubles
 from polhode.algebra._functions import Function
-from polhode.algebra._joint_functions import JointFunction
+from polhode.algebra._joint_functions import JointFunction, evaluate_sizes
 from polhode.algebra.base import AbstractLieAlgebra
 from polhode.algebra.matrix import SO
 from polhode.errors import InvalidInput
@@ -63,8 +63,9 @@ class Manakov(AbstractLiePoissonSystem):
     @property
     def extra_invariants(self) -> dict[str, Function]:
         """Coefficients of s^j in tr (M + sΛ²)^k, k = 3, …, n, of even degree k − j in M."""
-        joint, names = self._traces, (_name_coefficient(k, j) for k, j in self._coefficients)
-        return {name: JointFunction(joint, name) for name in names}
+        joint, sizes = self._traces, self._trace_sizes
+        names = (_name_coefficient(k, j) for k, j in self._coefficients)
+        return {name: JointFunction(joint, name, sizes) for name in names}
 
     @property
     def _coefficients(self) -> list[tuple[int, int]]:
@@ -72,15 +73,28 @@ class Manakov(AbstractLiePoissonSystem):
 
     def _traces(self, point: Array) -> dict[str, Array]:
         # (M + sΛ²)˙ = [M + sΛ², Ω + sΛ]: the terms of order s cancel, [M, Λ] + [Λ², Ω] = 0 by M = ΛΩ + ΩΛ
-        point = jnp.asarray(point)
-        none = jnp.zeros_like(point)[..., None, :, :]
-        powers = [none + jnp.eye(self.size)]  # coefficients (…, m + 1, n, n) of 1, s, …, s^m of (M + sΛ²)^m
-        for _ in range(self.size - self.size // 2):
-            by_point, by_square = powers[-1] @ point[..., None, :, :], powers[-1] * self.masses**2
-            powers.append(jnp.concatenate([by_point, none], axis=-3) + jnp.concatenate([none, by_square], axis=-3))
+        powers = self._expand_powers(point, self.size - self.size // 2)
         turned = [jnp.flip(jnp.swapaxes(power, -1, -2), axis=-3) for power in powers]
         return {_name_coefficient(k, j): _trace_of_product(powers[k // 2], turned[k - k // 2], j)
                 for k, j in self._coefficients}
+
+    def _trace_sizes(self, point: Array) -> dict[str, Array]:
+        # ∂ tr (M + sΛ²)^k/∂M_ab = k ((M + sΛ²)^(k−1))_ba, and M_ba = −M_ab
+        powers = self._expand_powers(point, self.size - 1)
+        sums = [jnp.sum(jnp.abs(power * point[..., None, :, :]), axis=(-2, -1)) for power in powers]
+        return {_name_coefficient(k, j): k * sums[k - 1][..., j] for k, j in self._coefficients}
+
+    def _expand_powers(self, point: Array, highest: int) -> list[Array]:
+        """Return coefficients (…, m + 1, n, n) of 1, s, …, s^m of (M + sΛ²)^m, m = 0, …, highest."""
+        none = jnp.zeros_like(point)[..., None, :, :]
+        powers = [none + jnp.eye(self.size)]
+        for _ in range(highest):
+            by_point, by_square = powers[-1] @ point[..., None, :, :], powers[-1] * self.masses**2
+            powers.append(jnp.concatenate([by_point, none], axis=-3) + jnp.concatenate([none, by_square], axis=-3))
+        return powers
+
+    def invariant_sizes(self, state: Matrices) -> dict[str, Float64[Array, "*batch"]]:
+        return evaluate_sizes(self.extra_invariants, state)
 
     @property
     def flows(self) -> dict[str, Flow]:

@@ -13,7 +13,7 @@ import numpy as np
 
 from polhode._base.arrays import require_doubles
 from polhode.algebra._functions import Function
-from polhode.algebra._joint_functions import JointFunction
+from polhode.algebra._joint_functions import JointFunction, evaluate_sizes
 from polhode.fields.toda.algebra import Bidiagonal
 from polhode.systems.base import AbstractLiePoissonSystem, Components, Flow, Kick
 from polhode.types import Array, ArrayLike, Float64, Real
@@ -74,8 +74,8 @@ class Toda(AbstractLiePoissonSystem):
     @property
     def extra_invariants(self) -> dict[str, Function]:
         """tr L^k, k = 3, …, n; those of k = 1 and 2 are Σb and 2H."""
-        joint = self._traces
-        return {(name := f"tr L^{k}"): JointFunction(joint, name) for k in range(3, self.n + 1)}
+        joint, sizes = self._traces, self._trace_sizes
+        return {(name := f"tr L^{k}"): JointFunction(joint, name, sizes) for k in range(3, self.n + 1)}
 
     def _traces(self, point: Array) -> dict[str, Array]:
         powers = [self.matrix(point)]
@@ -84,6 +84,18 @@ class Toda(AbstractLiePoissonSystem):
         # tr L^k = Σ_ij (L^m)_ij (L^(k−m))_ij, as they are symmetric
         pairs = {k: (powers[k // 2 - 1], powers[k - k // 2 - 1]) for k in range(3, self.n + 1)}
         return {f"tr L^{k}": jnp.sum(one * other, axis=(-2, -1)) for k, (one, other) in pairs.items()}
+
+    def _trace_sizes(self, point: Array) -> dict[str, Array]:
+        matrix = self.matrix(point)
+        power, sizes = matrix, dict[str, Array]()
+        for k in range(3, self.n + 1):
+            power = power @ matrix
+            # ∂ tr L^k/∂L = k L^(k−1), of which L has nonzero elements beside the diagonal twice
+            sizes[f"tr L^{k}"] = k * jnp.sum(jnp.abs(matrix * power), axis=(-2, -1))
+        return sizes
+
+    def invariant_sizes(self, state: Float64[Array, "*batch k"]) -> dict[str, Float64[Array, "*batch"]]:
+        return evaluate_sizes(self.extra_invariants, state)
 
     @property
     def flows(self) -> dict[str, Flow]:
