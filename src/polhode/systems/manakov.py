@@ -87,7 +87,7 @@ class Manakov(AbstractLiePoissonSystem):
     def _expand_powers(self, point: Array, highest: int) -> list[Array]:
         """Return coefficients (…, m + 1, n, n) of 1, s, …, s^m of (M + sΛ²)^m, m = 0, …, highest."""
         none = jnp.zeros_like(point)[..., None, :, :]
-        powers = [none + jnp.eye(self.size)]
+        powers: list[Array] = [none + jnp.eye(self.size)]
         for _ in range(highest):
             by_point, by_square = powers[-1] @ point[..., None, :, :], powers[-1] * self.masses**2
             powers.append(jnp.concatenate([by_point, none], axis=-3) + jnp.concatenate([none, by_square], axis=-3))

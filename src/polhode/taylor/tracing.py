@@ -292,7 +292,7 @@ def _dot(x: list[Array], entry: Entry) -> list[Array]:
 
 def _differ_from_zero(x: Array) -> Bool[np.ndarray, "..."]:
     """Return which elements are not the number zero, once for all products that they are in."""
-    return np.array([not _is_zero(element) for element in x.flat], bool).reshape(x.shape)
+    return np.array([not _is_zero(element) for element in np.ravel(x)], bool).reshape(x.shape)
 
 
 def _is_zero(x: Any) -> bool:
