@@ -126,3 +126,14 @@ def test_code_is_written_for_what_is_conserved_up_to_a_length(monkeypatch):
         monkeypatch.setattr(kernels, "LIMITS", kernels.LIMITS._replace(max_integral_operations=most))
         code, values = kernels.write_code(use, operations.program, operations.integrals)
         assert code is not None and (values is not None) is written
+
+
+def test_code_of_what_is_conserved_waits_for_as_long_as_it_takes(monkeypatch):
+    use, operations = kernels.Kernel(1, True, None, None, 1), build_machine(Summed(halved), np.ones(3), None)
+    longer = operations.integrals
+    least = kernels.LIMITS.min_seconds_of_operation * longer.length
+    monkeypatch.setitem(operations.program.__dict__, "length", 0)  # so that its own code is due in any case
+    for seconds, written in ((least, True), (0.99 * least, False)):
+        monkeypatch.setattr(kernels._Spent, "by_program", {operations.program.form: seconds})
+        code, values = kernels.write_code(use, operations.program, longer)
+        assert code is not None and (values is not None) is written

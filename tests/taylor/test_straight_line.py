@@ -100,6 +100,27 @@ def test_values_have_the_same_bits(seed, width):
     assert np.isfinite(wanted).all() and np.ptp(wanted) > 0.0
 
 
+@pytest.mark.parametrize("width", [1, lanes.LANES])
+def test_functions_of_limited_length_change_no_bit(width, monkeypatch):
+    program = random_program(7, kinds=3)
+    results = []
+    for terms in (1, 10_000):
+        straight_line._compile.cache_clear()
+        monkeypatch.setattr(straight_line, "LIMITS", straight_line.LIMITS._replace(terms_of_part=terms))
+        series = series_for(program, 1, width, None, program.outputs)
+        series.flat[: program.size * width] = np.random.default_rng(7).normal(size=program.size * width)
+        call(straight_line.generate_values(program, width), series, np.ones(width))
+        results.append(series.flat.copy())
+    straight_line._compile.cache_clear()
+    np.testing.assert_array_equal(*results)
+
+
+def test_functions_are_of_limited_length(monkeypatch):
+    monkeypatch.setattr(straight_line, "LIMITS", straight_line.LIMITS._replace(terms_of_part=10))
+    assert straight_line.divide([4, 6, 1, 11, 9, 1]) == [range(2), range(2, 3), range(3, 4), range(4, 6)]
+    assert straight_line.divide([]) == [range(0)] and straight_line.divide([12]) == [range(1)]
+
+
 @pytest.mark.parametrize(("width", "registers"), [
     (1, (16, 4)), (lanes.LANES, (8, 2)), (lanes.LANES, (32, 2)), (lanes.LANES, (16, 4)), (lanes.LANES, (32, 8)),
 ])  # fmt: skip

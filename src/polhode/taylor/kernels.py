@@ -54,7 +54,7 @@ class CodeLimits(NamedTuple):
     seconds_of_least_run: float = 0.01  # s that Python takes for the shortest run, about
     min_seconds_of_operation: float = 1e-3  # s of slower runs for each operation, in which writing pays off
     max_operations: int = 4000
-    max_integral_operations: int = 4000  # compiling takes longer than in proportion: 18,000 take 17 s and 1 GB
+    max_integral_operations: int = 4000  # LLVM takes .5 ms for each, and 4 ms and 100 kB where it is of eight copies
 
 
 LIMITS = CodeLimits()
@@ -102,14 +102,14 @@ def choose_kernel(copies: int, extended: bool = False) -> Kernel:
 def write_code(use: Kernel, program: Program, integrals: Program) -> tuple[Any, Any]:
     """Return ``Code`` of a program that has run for as long as it takes to write that, else None; and of integrals."""
     spent = _Spent.by_program.get(program.form, 0.0)
-    is_due = spent >= LIMITS.min_seconds_of_operation * program.length
-    if program.length > LIMITS.max_operations or not is_due or not can_compile():
+    is_due = lambda length: spent >= LIMITS.min_seconds_of_operation * length  # noqa: E731
+    if program.length > LIMITS.max_operations or not is_due(program.length) or not can_compile():
         return None, None
     from polhode.taylor.straight_line import generate, generate_values
 
     # Python's own steps take longer than what this saves
     simple = use.is_compiled and integrals.outputs and integrals.is_of_products
-    simple = simple and integrals.length <= LIMITS.max_integral_operations
+    simple = simple and integrals.length <= LIMITS.max_integral_operations and is_due(integrals.length)
     return generate(program, use.lanes), generate_values(integrals, use.lanes) if simple else None
 
 

@@ -19,7 +19,7 @@ import numpy as np
 from llvmlite import ir
 
 from polhode._base.compiled.machine_code import host_features
-from polhode.taylor.llvm_writer import DOUBLE, INTEGER, VECTOR, Code, Writer
+from polhode.taylor.llvm_writer import ADDRESS, DOUBLE, INTEGER, SIGNATURE, VECTOR, Code, Writer
 from polhode.taylor.operations import Operation
 from polhode.taylor.program import (
     ARGUMENT,
@@ -46,13 +46,14 @@ Terms = Callable[[Any, Any], list[Any]]
 
 
 class CodeLimits(NamedTuple):
-    """The form of the code."""
+    """The form of the code, and how long a function is."""
 
     blocks_together: int = 4  # of products of one copy, whose sums are interleaved
     # that a loop over products needs beside those of their sums, for factors and a product: of 16 with AVX, 4 take
     # Kirchhoff's coefficients 1.6 times as long, and 7, which leave fewer sums to a loop, the heavy top's 1.2 times
     registers_beside: int = 6
     products_sought: int = 64  # among which those with common factors are found, so that long programs take no longer
+    terms_of_part: int = 500  # of sums and products of values: LLVM takes longer than in proportion for more in one
 
 
 LIMITS = CodeLimits()
@@ -94,6 +95,17 @@ def find_registers() -> Registers:
     if features.get("avx512f"):
         return Registers(32, 8)
     return Registers(16, 4) if features.get("avx") else Registers(32 if features.get("neon") else 16, 2)
+
+
+def divide(sizes: Sequence[int]) -> list[range]:
+    """Return ranges of things in order, of one thing each or with sizes of at most ``terms_of_part`` together."""
+    first, size, parts = 0, 0, []
+    for k, own in enumerate(sizes):
+        if k > first and size + own > LIMITS.terms_of_part:
+            parts.append(range(first, k))
+            first, size = k, 0
+        size += own
+    return [*parts, range(first, len(sizes))]
 
 
 def _parts(whole: list[Any], size: int) -> list[list[Any]]:
@@ -148,11 +160,35 @@ class _Writer(Writer, Words):
         return begins
 
     def write_values(self, outputs: int) -> int:
-        """Write nodes of order zero, and so many outputs."""
-        self._of_order(None, self.flat)
-        for o in range(outputs):
-            self.store(self._output(self.flat, o, True), self.flat, self.row + o * self.lanes)
+        """Write nodes of order zero, and so many outputs, in functions of limited length."""
+        whole = self.whole
+        terms = [self._count_terms(whole[whole[ARGUMENT] + q]) if whole[whole[CODE] + q] == Operation.AFFINE else WIDTH
+                 for q in range(whole[OPERATIONS])]  # fmt: skip
+        for some in divide(terms):
+            self._of_order(None, self.flat, some)
+            self._begin_part()
+        for some in divide([self._count_terms(whole[FIRST] + o) for o in range(outputs)]):
+            for o in some:
+                self.store(self._output(self.flat, o, True), self.flat, self.row + o * self.lanes)
+            self._begin_part()
         return 0
+
+    def _begin_part(self) -> None:
+        """Go on in another function, which this one calls at its end; values before that are in memory alone."""
+        function = ir.Function(self.module, SIGNATURE, f"part{len(self.module.functions)}")
+        function.linkage = "internal"
+        function.attributes.add("noinline")
+        self.builder.call(function, [self.flat, self.a, self.b, self.number, self.order, self.units])
+        self.builder.ret_void()
+        for argument in function.args:
+            if argument.type == ADDRESS:
+                argument.add_attribute("noalias")
+        self.flat, self.a, self.b, self.number, self.order, self.units = function.args
+        self.builder = ir.IRBuilder(function.append_basic_block())
+
+    def _count_terms(self, number: int) -> int:
+        first, last = self.whole[self.whole[START] + number : self.whole[START] + number + 2]
+        return last - first
 
     # ------------------------------------------------------------------ numbers
 
@@ -165,11 +201,11 @@ class _Writer(Writer, Words):
 
     # ------------------------------------------------------------------ one order
 
-    def _of_order(self, k: Any | None, now: Any) -> None:
-        """Write all nodes of an order, of order zero where k is None."""
+    def _of_order(self, k: Any | None, now: Any, some: range | None = None) -> None:
+        """Write the nodes of all or some operations in an order, of order zero where k is None."""
         whole = self.whole
         products: list[int] = []
-        for q in range(whole[OPERATIONS]):
+        for q in range(whole[OPERATIONS]) if some is None else some:
             operation = Operation(whole[whole[CODE] + q])
             if operation is Operation.PRODUCT:
                 if self._needs(q, products):
