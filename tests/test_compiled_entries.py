@@ -314,7 +314,7 @@ def test_what_is_set_for_the_compiler_is_in_the_name(name, monkeypatch, processo
 def test_so_are_the_versions_of_the_compilers(monkeypatch, processors_anew):
     own = images.processors()[0]
     images.processors.cache_clear()
-    monkeypatch.setattr(images, "version", lambda package: "0.1")
+    monkeypatch.setattr(images, "read_version", lambda package: b"0.1")
     assert images.processors()[0] != own
 
 

@@ -16,11 +16,13 @@ import sys
 from collections.abc import Callable
 from functools import cache
 from hashlib import sha256
-from importlib.metadata import PackageNotFoundError, version
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+
+from polhode._base.extras import is_there
 
 LINES = ("vendor_id", "cpu family", "model", "flags")  # by which LLVM knows a processor
 SETTINGS = "NUMBA_CPU_NAME", "NUMBA_CPU_FEATURES", "NUMBA_OPT", "NUMBA_BOUNDSCHECK"  # which change its machine code
@@ -76,7 +78,7 @@ def processors() -> tuple[str, ...]:
     """Return names under which images are kept: this processor's and compiler's own, then classes, the best first."""
     read = read_processor()
     settings = [os.environ.get(name) for name in SETTINGS]
-    facts = [read.get(key) for key in LINES], settings, [_version(name) for name in COMPILERS]
+    facts = [read.get(key) for key in LINES], settings, [read_version(name) for name in COMPILERS]
     own = sha256(repr(facts).encode()).hexdigest()[:8]
     flags, needed, classes = set(read.get("flags", "").split()), set[str](), list[str]()
     for level in reversed(LEVELS):
@@ -85,11 +87,13 @@ def processors() -> tuple[str, ...]:
     return own, *classes
 
 
-def _version(package: str) -> str | None:
-    try:
-        return version(package)
-    except PackageNotFoundError:
+def read_version(package: str) -> bytes | None:
+    """Return the file in which a package has its version, in a tenth of the time that asking for the version takes."""
+    spec = find_spec(package) if is_there(package) else None
+    if spec is None or spec.origin is None:
         return None
+    named = Path(spec.origin).with_name("_version.py")
+    return (named if named.exists() else Path(spec.origin)).read_bytes()
 
 
 def read_processor() -> dict[str, str]:

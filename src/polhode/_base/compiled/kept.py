@@ -37,7 +37,7 @@ def digest_compiled(modules: Iterable[ModuleType], files: Iterable[str] = ()) ->
             continue
         digested.add(name)
         module = importlib.import_module(name)
-        digest.update(f"{name}\n".encode() + Path(inspect.getfile(module)).read_bytes())
+        digest.update(f"{name}\n".encode() + Path(str(module.__file__)).read_bytes())
         for used in sorted(set(_names(module))):
             value = vars(module).get(used)
             if isinstance(value, CONSTANTS):
@@ -61,9 +61,10 @@ def _as_text(value: Any) -> str:
 
 def _names(module: ModuleType) -> Iterator[str]:
     """Yield the names that functions of a module use."""
+    home = module.__name__
     for value in vars(module).values():
-        function: Any = inspect.unwrap(value) if callable(value) else None  # tests wrap them to check annotations
-        if isinstance(function, FunctionType) and function.__module__ == module.__name__:
+        function = inspect.unwrap(value) if hasattr(value, "__wrapped__") else value  # kept ones, and tests wrap all
+        if isinstance(function, FunctionType) and function.__module__ == home:
             yield from _names_in(function.__code__)
 
 
