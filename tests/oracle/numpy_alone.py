@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from polhode.exact._blocks import columns_in_blocks
-from polhode.exact._closed_form import COMPILING
+from polhode.exact._closed_form import COMPILING, Cost
 from polhode.exact.free_body import _evaluation as free_body
 from polhode.exact.free_body import _preparation as of_free_body
 from polhode.exact.lagrange_top import _evaluation as lagrange_top
@@ -48,6 +48,7 @@ def compiled_alone(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def python_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     """Leave all bodies and times to the kernels as Python runs them."""
+    monkeypatch.setattr(Cost, "is_for_numpy", lambda self, count: False)
     for module in (free_body, lagrange_top):
         monkeypatch.setattr(module.FORM, "_ready", set())
         monkeypatch.setattr(module.FORM, "_spent", dict.fromkeys(COMPILING, -np.inf))

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterator, Sequence
 from types import ModuleType, SimpleNamespace
 from typing import Any
+
+import numpy as np
 
 from polhode._base import arrays
 from polhode._base.arrays import is_jax, namespace, nearest, split_halves
@@ -92,10 +95,62 @@ def _of(name: str) -> Callable[..., Array]:
     return lambda *operands: getattr(namespace(*operands), name)(*operands)
 
 
+def _of_libm(single: Callable[..., float], name: str) -> Callable[..., Array]:
+    """Return a function that takes NumPy's arrays by that of single numbers, JAX's by the one of this name.
+
+    All else is rounded alike everywhere. NumPy's functions have other last bits, which then depended on who computes.
+    """
+
+    def computed(*operands: Array) -> Array:
+        own = getattr(namespace(*operands), name)
+        if is_jax(*operands):
+            return own(*operands)
+        whole = np.broadcast_arrays(*operands)
+        rows = [x.ravel().tolist() for x in whole]
+        try:
+            found = np.fromiter(map(single, *rows), float, len(rows[0]))
+        except (ArithmeticError, ValueError):  # beyond doubles, of one number at least
+            found = np.array([_by_either(single, own, numbers) for numbers in zip(*rows, strict=True)], float)
+        return found.reshape(whole[0].shape)[()]
+
+    return computed
+
+
+def _by_either(single: Callable[..., float], own: Callable[..., Array], numbers: tuple[float, ...]) -> Any:
+    try:
+        return single(*numbers)
+    except (ArithmeticError, ValueError):
+        return own(*map(np.float64, numbers))
+
+
+def _sine_cosine(x: Array) -> tuple[Array, Array]:
+    """Return ``kernel_arithmetic.sine_cosine``, to the same bits for NumPy."""
+    if is_jax(x):
+        return circular.sine_cosine_turns(x)
+    quarter = np.rint(4.0 * x)
+    r = x - 0.25 * quarter
+    z = r * r
+    s, c = r * _horner(kernel_arithmetic.SINE, z), _horner(kernel_arithmetic.COSINE, z)
+    n = quarter - 4.0 * np.floor(0.25 * quarter)
+    odd = (n == 1.0) | (n == 3.0)
+    a, b = np.where(odd, c, s), np.where(odd, s, c)
+    return np.where(n >= 2.0, -a, a), np.where((n == 1.0) | (n == 2.0), -b, b)
+
+
+def _horner(coefficients: Sequence[float], z: Array) -> Array:
+    *others, last = coefficients
+    value = z * last
+    for a in reversed(others[1:]):
+        value += a
+        value *= z
+    return value + others[0]
+
+
 def _constant(value: dd.DoubleDouble, like: Array) -> dd.DoubleDouble:
     return value[0] + 0.0 * like, value[1] + 0.0 * like
 
 
+exponential = _of_libm(math.exp, "exp")
 FOR_ARRAYS: dict[str, Any] = {
     "two_product": dd.two_product, "two_sum": dd.two_sum, "fast_two_sum": dd.fast_two_sum, "add": dd.add,
     "subtract": dd.subtract, "multiply": dd.multiply, "multiply_float": dd.multiply_float, "square": dd.square,
@@ -103,10 +158,11 @@ FOR_ARRAYS: dict[str, Any] = {
     "choice": dd.where,
     "constant": _constant, "two_square": dd.two_square, "halves": split_halves,
     "where": _where, "larger": _larger, "nearest": nearest, "whole": nearest, "phase": circular.reduced_phase,
-    "sine_cosine": circular.sine_cosine_turns,
-    "square_root": _of("sqrt"), "exponential": _of("exp"), "floor": _of("floor"), "arctangent": _of("atan"),
-    "angle_of": _of("atan2"), "logarithm": _of("log"), "hyperbolic_sine": _of("sinh"), "area_of_sine": _of("asinh"),
-    "smaller": _smaller, "negation": lambda condition: ~condition,
+    "sine_cosine": _sine_cosine,
+    "square_root": _of("sqrt"), "exponential": exponential, "floor": _of("floor"),
+    "arctangent": _of_libm(math.atan, "atan"), "angle_of": _of_libm(math.atan2, "atan2"),
+    "logarithm": _of_libm(math.log, "log"), "hyperbolic_sine": _of_libm(math.sinh, "sinh"),
+    "area_of_sine": _of_libm(math.asinh, "asinh"), "smaller": _smaller, "negation": lambda condition: ~condition,
     "as_sum": tuple, "join": lambda x, y: (*x, *y), "negated": lambda x: tuple(-term for term in x),
     "multiply_terms": dd.multiply_terms, "compress": dd.compress, "distil": dd.distil,
     "binary_exponent": _binary_exponent, "times_power": _times_power,

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from types import ModuleType
 
-from polhode._base.arrays import choose, namespace, split_halves
-from polhode.exact._array_arithmetic import for_arrays
+from polhode._base.arrays import choose, split_halves
+from polhode.exact._array_arithmetic import exponential, for_arrays
 from polhode.exact._blocks import Columns
 from polhode.types import Array, ArrayOrFloat, Float64
 
@@ -39,5 +39,6 @@ class ArrayStates:
     def _complementary(self, *columns: Array) -> Sums:
         m = self._formulas.unflatten((*columns[:-3], *self._idle))
         a, b, c, exponent, factor, other, other_factor = self._formulas.complementary_phase(m, columns[-3:])
-        xp = namespace(exponent)
-        return self._formulas.complementary_sums(m, a, b, c, xp.exp(exponent) * factor, xp.exp(other) * other_factor)
+        return self._formulas.complementary_sums(
+            m, a, b, c, exponential(exponent) * factor, exponential(other) * other_factor
+        )

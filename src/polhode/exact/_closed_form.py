@@ -1,7 +1,8 @@
 """Runs a closed form's kernels, by Python for little work and compiled for much, to the same bits.
 
-For one body at a few times, neither loading nor compiling is worth it. Where nothing is compiled and Numba is not
-installed, NumPy takes much work, by the array forms that JAX traces too, whose last bits are others.
+For one body at a few times, neither loading nor compiling is worth it. Where nothing is compiled, NumPy takes much
+work, by the array forms that JAX traces too: a tenth of Python's time, so that compiling is worth it for millions of
+bodies.
 """
 
 from __future__ import annotations
@@ -15,8 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from polhode._base.compiled.images import has_images
-from polhode._base.compiled.kernel_modules import KernelModules, can_compile, is_worth
+from polhode._base.compiled.kernel_modules import KernelModules, is_worth
 from polhode._base.compiled.threads import in_threads
 from polhode.exact import _kernel_loops as kernel_loops
 from polhode.exact._blocks import Columns, Vectors, columns_in_blocks, flatten_motion
@@ -25,17 +25,33 @@ from polhode.types import Array, Float64
 COMMON = tuple(f"polhode.exact.{name}" for name in (
     "_kernel_arithmetic", "_kernel_records", "_kernel_agm", "_formulas", "_kernel_loops",
 ))
-STATE, SET_UP = 7e-6, 1.5e-4  # s that Python takes for a state, and for a body, about
-ARRAY_STATES, ARRAY_SET_UP = 4e-4, 5e-3  # s that NumPy takes for few states or bodies, almost all for its calls, about
 ROWS = 8192  # states at a time by NumPy, whose temporaries then stay in the cache; worth a thread, as bodies are
 ARITHMETIC = "polhode.exact._compiled_arithmetic"  # which imports Numba
 State = tuple[float, float, float, float, float, float, float]
 
 
-class CompilingTimes(NamedTuple):
-    """About how long compiling a kernel takes [s]: after so much time in Python it is worth it."""
+class Cost(NamedTuple):
+    """About how long a state or the set-up of a body takes without compiled code [s]."""
 
-    set_up: float = 6.0
+    one: float  # by Python
+    calls: float  # by NumPy, for however few
+    each: float  # by NumPy, and for each of many
+
+    def time(self, count: int) -> float:
+        """Return the time of the quicker of the two."""
+        return self.calls + self.each * count if self.is_for_numpy(count) else self.one * count
+
+    def is_for_numpy(self, count: int) -> bool:
+        return self.calls + self.each * count < self.one * count
+
+
+STATE, SET_UP = Cost(7e-6, 4e-4, 5e-7), Cost(1.5e-4, 5e-3, 3e-6)
+
+
+class CompilingTimes(NamedTuple):
+    """About how long compiling a kernel takes [s]: after so much time without it, it is worth it."""
+
+    set_up: float = 10.0
     states_of_one: float = 1.5
     states_of_many: float = 2.5
 
@@ -97,16 +113,12 @@ class ClosedForm:
         return formulas.COLUMNS, setup.WORTH
 
     def _is_worth(self, name: str, seconds: float) -> bool:
-        """Return whether a compiled kernel is there, or worth it for work that takes Python so long."""
+        """Return whether a compiled kernel is there, or worth it for work that takes so long without."""
         if name not in self._ready:
             self._spent[name] += seconds
             if is_worth(self._spent[name], COMPILING[name], lambda: self._modules.is_on_disk(name)):
                 self._ready.add(name)
         return name in self._ready
-
-    def _is_for_numpy(self, name: str, seconds: float, by_arrays: float) -> bool:
-        """Return whether NumPy is to do what takes Python so long, as there is no compiled kernel and will be none."""
-        return seconds > by_arrays and not can_compile() and not (has_images() and self._modules.is_on_disk(name))
 
     # ------------------------------------------------------------------ set-up
 
@@ -120,9 +132,9 @@ class ClosedForm:
             flat = [np.broadcast_to(v, (*shape, np.shape(v)[-1])).reshape(-1, np.shape(v)[-1]) for v in arguments]
         count = math.prod(shape)
         columns, left = np.empty((self._sizes[0], count)), np.ones(count, bool)
-        if self._is_worth("set_up", SET_UP * count):
+        if self._is_worth("set_up", SET_UP.time(count)):
             self._set_up_many(flat, columns, left)
-        elif self._is_for_numpy("set_up", SET_UP * count, ARRAY_SET_UP):
+        elif SET_UP.is_for_numpy(count):
             in_threads(lambda low, high: self._set_up_rows(slice(low, high), flat, columns), count, ROWS)
             left[:] = False
         else:
@@ -177,10 +189,10 @@ class ClosedForm:
         count = math.prod(batch)
         flat = columns.reshape(len(columns), count)
         name = "states_of_one" if count == 1 else "states_of_many"
-        compiled = self._is_worth(name, STATE * len(times))
+        compiled = self._is_worth(name, STATE.time(len(times)))
         bodies = None if count == 1 else np.broadcast_to(np.arange(count).reshape(batch), shape).reshape(-1)
         outputs = np.empty((len(times), 4)), np.empty((len(times), 3))  # apart, as strided ones would not do for others
-        if not compiled and self._is_for_numpy(name, STATE * len(times), ARRAY_STATES):
+        if not compiled and STATE.is_for_numpy(len(times)):
             self._by_arrays(flat, bodies, times, rests, *outputs)
         elif not compiled:
             self._by_python(flat, bodies, times, rests, *outputs)

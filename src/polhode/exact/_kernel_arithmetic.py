@@ -19,11 +19,11 @@ BLOCK = 256  # states, bodies or tops at a time: what is kept of them stays in t
 ROUNDING = 6755399441055744.0  # 1.5 · 2⁵²: added and taken away again, it leaves the nearest whole number
 SPLITTING = 134217729.0  # 2²⁷ + 1
 SWEEPS = 5  # of an exact sum, after which its last term and the others have all its digits
-_S = [(-1) ** n * (2.0 * np.pi) ** (2 * n + 1) / float(np.prod(np.arange(1.0, 2 * n + 2))) for n in range(9)]
-_C = [(-1) ** n * (2.0 * np.pi) ** (2 * n) / float(np.prod(np.arange(1.0, 2 * n + 1))) for n in range(10)]
+SINE = [(-1) ** n * (2.0 * np.pi) ** (2 * n + 1) / float(np.prod(np.arange(1.0, 2 * n + 2))) for n in range(9)]
+COSINE = [(-1) ** n * (2.0 * np.pi) ** (2 * n) / float(np.prod(np.arange(1.0, 2 * n + 1))) for n in range(10)]
 # of the power series of sin 2πx and cos 2πx
-S0, S1, S2, S3, S4, S5, S6, S7, S8 = _S
-C0, C1, C2, C3, C4, C5, C6, C7, C8, C9 = _C
+S0, S1, S2, S3, S4, S5, S6, S7, S8 = SINE
+C0, C1, C2, C3, C4, C5, C6, C7, C8, C9 = COSINE
 if TYPE_CHECKING:  # in copies for arrays they are arrays
     from typing import Any as Number
     from typing import Any as Truth

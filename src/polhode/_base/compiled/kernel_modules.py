@@ -22,9 +22,9 @@ from polhode._base.extras import is_there
 
 
 class LoadingTimes(NamedTuple):
-    """Python's time [s] from which loading what lies on the disk is worth it: about what that takes."""
+    """Time [s] without it from which loading what lies on the disk is worth it: about what that takes."""
 
-    of_image: float = 4e-3  # most of it for reading the sources that it has to come from
+    of_image: float = 2e-3  # most of it for reading the sources that it has to come from
     by_numba: float = 0.3  # whose import takes longer
 
 
@@ -37,7 +37,7 @@ def can_compile() -> bool:
 
 
 def loading_time() -> float:
-    """Return Python's time [s] from which loading a kernel is worth it."""
+    """Return the time [s] without a kernel from which loading it is worth it."""
     return LOADING.of_image if has_images() else LOADING.by_numba
 
 
@@ -45,7 +45,7 @@ def is_worth(spent: float, compiling: float, is_on_disk: Callable[[], bool]) -> 
     """Return whether a kernel is to be compiled or loaded.
 
     Args:
-        spent: time [s] that Python has spent on the kernel's work, or will have.
+        spent: time [s] that the kernel's work has taken without it, or will have.
         compiling: time [s] that Numba takes to compile it.
         is_on_disk: says whether it has been compiled before.
     """
