@@ -9,10 +9,15 @@ import pytest
 
 import polhode as ph
 from oracle.numpy_alone import python_alone
-from polhode.exact._closed_form import SET_UP, STATE, ClosedForm
+from polhode.exact import _closed_form
+from polhode.exact import _kernel_loops as kernel_loops
+from polhode.exact._closed_form import COMPILING, SET_UP, STATE, ClosedForm, Compiled
+from polhode.exact.free_body import _kernel_setup as body_setup
 from polhode.exact.free_body._evaluation import FORM as BODIES
+from polhode.exact.lagrange_top import _kernel_setup as top_setup
 from polhode.exact.lagrange_top._evaluation import FORM as TOPS
 from twins.families_of_bodies import draw as draw_bodies
+from twins.families_of_tops import FAMILIES as FAMILIES_OF_TOPS
 from twins.families_of_tops import draw_tops
 
 FEW = 8  # of each family: together enough for NumPy
@@ -35,8 +40,8 @@ def bodies():
     return ph.FreeMotion(moments, momentum=momenta), times
 
 
-def tops():
-    cases = draw_tops(FEW, 3)
+def tops(names=tuple(family.__name__ for family in FAMILIES_OF_TOPS)):
+    cases = [case for case in draw_tops(FEW, 3) if case.family in names]
     moments, mgl, momenta, attitudes, times = columns_of(cases, "moments", "mgl", "momentum", "attitude", "time")
     return ph.LagrangeMotion(moments, mgl=mgl, momentum=momenta, attitude=attitudes), times
 
@@ -62,6 +67,51 @@ def test_numpy_takes_many_and_python_few(cost):
     limit = next(count for count in range(10_000) if cost.is_for_numpy(count))
     assert 30 < limit < 100 and not cost.is_for_numpy(limit - 1)
     assert cost.time(limit - 1) == cost.one * (limit - 1) and cost.time(limit) == cost.calls + cost.each * limit
+
+
+@pytest.fixture
+def by_python(monkeypatch):
+    """Have Python run the kernels of many bodies and tops, and return the numbers of those that each call sets up."""
+    counts = []
+
+    def counted(function):
+        return lambda *given: counts.append(len(given[0])) or function(*given)
+
+    for form, setup in ((BODIES, body_setup), (TOPS, top_setup)):
+        spaces = form._modules.by_python()
+        loops = (spaces[kernel_loops.__name__][name] for name in ("states_of_one", "states_of_many"))
+        monkeypatch.setattr(form, "_compiled", Compiled(counted(spaces[setup.__name__]["set_up"]), *loops))
+        monkeypatch.setattr(form, "_ready", set(COMPILING))
+    return counts
+
+
+def plain_tops():
+    """Return tops for which Python can run the kernels of many: no number is divided by zero."""
+    return tops(("generic", "wide_ratio", "fast_loop"))
+
+
+@pytest.mark.parametrize(("make", "block"), [(bodies, 50), (plain_tops, 10)])
+def test_constants_of_many_are_kept_from_the_second_call_on(make, block, by_python, monkeypatch):
+    """Of bodies among which some are left to NumPy; a call that is the only one touches no memory for constants."""
+    monkeypatch.setattr(_closed_form, "AT_ONCE", block)
+    with np.errstate(all="ignore"):
+        (motion, times), (other, _) = make(), make()
+        first = motion.state(times)
+        assert "_columns" not in vars(motion) and max(by_python) == block and sum(by_python) == len(times)
+        by_python.clear()
+        again, later = motion.state(times), motion.state(0.0)
+        assert "_columns" in vars(motion) and by_python == [len(times)]
+        assert all(np.array_equal(a, b, equal_nan=True) for a, b in zip(first, again, strict=True))
+        at_one = other.state(0.0)
+        assert "_columns" not in vars(other)
+    assert all(np.array_equal(a, b, equal_nan=True) for a, b in zip(at_one, later, strict=True))
+
+
+def test_constants_are_kept_at_once_where_each_body_has_many_times(by_python):
+    motion, times = bodies()
+    with np.errstate(all="ignore"):
+        attitude, _ = motion.state(np.zeros((2, 1)))
+    assert attitude.shape == (2, len(times), 4) and "_columns" in vars(motion) and by_python == [len(times)]
 
 
 FIRST = """

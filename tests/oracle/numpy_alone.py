@@ -27,6 +27,9 @@ class ByArrays:
             found = np.array(self.evaluate((full != 0.0, *numbers), times, rests))
         return np.moveaxis(found[:4], 0, -1).reshape(*shape, 4), np.moveaxis(found[4:], 0, -1).reshape(*shape, 3)
 
+    def states_of(self, motion, elapsed, rest):
+        return self.states(motion._columns, elapsed, rest)
+
     def state(self, column, time, rest):
         return np.concatenate(self.states(np.array(column), np.array(time), np.array(rest)))
 

@@ -20,12 +20,14 @@ from polhode._base.compiled.kernel_modules import KernelModules, is_worth
 from polhode._base.compiled.threads import in_threads
 from polhode.exact import _kernel_loops as kernel_loops
 from polhode.exact._blocks import Columns, Vectors, columns_in_blocks, flatten_motion
+from polhode.exact._kernel_arithmetic import BLOCK
 from polhode.types import Array, Float64
 
 COMMON = tuple(f"polhode.exact.{name}" for name in (
     "_kernel_arithmetic", "_kernel_records", "_kernel_agm", "_formulas", "_kernel_loops",
 ))
 ROWS = 8192  # states at a time by NumPy, whose temporaries then stay in the cache; worth a thread, as bodies are
+AT_ONCE = 4 * BLOCK  # bodies whose constants stay in the cache until their states are computed: .4 MB
 ARITHMETIC = "polhode.exact._compiled_arithmetic"  # which imports Numba
 State = tuple[float, float, float, float, float, float, float]
 
@@ -115,8 +117,8 @@ class ClosedForm:
     def _is_worth(self, name: str, seconds: float) -> bool:
         """Return whether a compiled kernel is there, or worth it for work that takes so long without."""
         if name not in self._ready:
-            self._spent[name] += seconds
-            if is_worth(self._spent[name], COMPILING[name], lambda: self._modules.is_on_disk(name)):
+            spent = self._spent[name] + seconds
+            if is_worth(spent, COMPILING[name], lambda: self._modules.is_on_disk(name)):
                 self._ready.add(name)
         return name in self._ready
 
@@ -124,22 +126,19 @@ class ClosedForm:
 
     def columns(self, arguments: Vectors) -> Float64[np.ndarray, "columns *bodies"]:
         """Return the constants of the motions of bodies, arrays (…, k) that broadcast against each other."""
-        shape: tuple[int, ...] = ()
-        if all(v.ndim == 1 for v in arguments):  # of one body, where broadcasting takes as long as the kernel
-            flat = [v[None] for v in arguments]
-        else:
-            shape = np.broadcast_shapes(*(np.shape(v)[:-1] for v in arguments))
-            flat = [np.broadcast_to(v, (*shape, np.shape(v)[-1])).reshape(-1, np.shape(v)[-1]) for v in arguments]
+        shape, flat = _flatten(arguments)
         count = math.prod(shape)
         columns, left = np.empty((self._sizes[0], count)), np.ones(count, bool)
-        if self._is_worth("set_up", SET_UP.time(count)):
+        if self._is_worth("set_up", seconds := SET_UP.time(count)):
             self._set_up_many(flat, columns, left)
-        elif SET_UP.is_for_numpy(count):
-            in_threads(lambda low, high: self._set_up_rows(slice(low, high), flat, columns), count, ROWS)
-            left[:] = False
         else:
-            for k in range(count):
-                self._set_up_one([v[k] for v in flat], k, columns, left)
+            self._spent["set_up"] += seconds
+            if SET_UP.is_for_numpy(count):
+                in_threads(lambda low, high: self._set_up_rows(slice(low, high), flat, columns), count, ROWS)
+                left[:] = False
+            else:
+                for k in range(count):
+                    self._set_up_one([v[k] for v in flat], k, columns, left)
         if left.any():
             self._set_up_rows(left, flat, columns)
         return columns.reshape(len(columns), *shape)
@@ -189,7 +188,8 @@ class ClosedForm:
         count = math.prod(batch)
         flat = columns.reshape(len(columns), count)
         name = "states_of_one" if count == 1 else "states_of_many"
-        compiled = self._is_worth(name, STATE.time(len(times)))
+        compiled = self._is_worth(name, seconds := STATE.time(len(times)))
+        self._spent[name] += 0.0 if compiled else seconds
         bodies = None if count == 1 else np.broadcast_to(np.arange(count).reshape(batch), shape).reshape(-1)
         outputs = np.empty((len(times), 4)), np.empty((len(times), 3))  # apart, as strided ones would not do for others
         if not compiled and STATE.is_for_numpy(len(times)):
@@ -201,6 +201,59 @@ class ClosedForm:
         else:
             self._of_many(flat, bodies, times, rests, *outputs)
         return outputs[0].reshape(*shape, 4), outputs[1].reshape(*shape, 3)
+
+    # ------------------------------------------------------------------ both
+
+    def states_of(
+        self, motion: Any, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
+    ) -> tuple[Float64[np.ndarray, "*shape 4"], Float64[np.ndarray, "*shape 3"]]:
+        """Return ``states`` of a motion, which keeps the constants of many bodies from its second call on.
+
+        They are seven times as large as states: to touch so much memory for the first time takes longer than set-up.
+        """
+        kept = vars(motion)
+        if "_columns" not in kept and "_was_asked" not in kept:
+            kept["_was_asked"] = True
+            if self._is_at_once(motion._arguments, elapsed):
+                return self._states_at_once(motion._arguments, elapsed, rest)
+        return self.states(motion._columns, elapsed, rest)
+
+    def _is_at_once(self, arguments: Vectors, elapsed: Float64[Array, "..."]) -> bool:
+        """Return whether kernels compute one state for each of many bodies."""
+        shape = np.broadcast_shapes(*(v.shape[:-1] for v in arguments))
+        if (count := math.prod(shape)) < 2 or np.broadcast_shapes(shape, np.shape(elapsed)) != shape:
+            return False
+        return self._is_worth("set_up", SET_UP.time(count)) and self._is_worth("states_of_many", STATE.time(count))
+
+    def _states_at_once(
+        self, arguments: Vectors, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
+    ) -> tuple[np.ndarray, np.ndarray]:
+        shape, flat = _flatten(arguments)
+        inputs, count = [_own(v) for v in flat], math.prod(shape)
+        times, rests = (_own(np.broadcast_to(x, shape)).reshape(-1) for x in (elapsed, rest))
+        attitude, momentum, left = np.empty((count, 4)), np.empty((count, 3)), np.ones(count, bool)
+
+        def fill(start: int, end: int) -> None:
+            columns = np.empty((self._sizes[0], AT_ONCE))
+            for low in range(start, end, AT_ONCE):
+                rows = slice(low, min(low + AT_ONCE, end))
+                self._compiled.set_up(*(v[rows] for v in inputs), columns, left[rows], 0)
+                bodies = np.arange(rows.stop - low)
+                if left[rows].any():  # whose states are computed below, so that any others do here
+                    bodies[left[rows]] = np.argmin(left[rows])
+                if not left[rows].all():
+                    self._compiled.states_of_many(
+                        columns, bodies, times[rows], rests[rows], attitude[rows], momentum[rows]
+                    )
+
+        in_threads(fill, count, self._sizes[1])
+        if left.any():  # all of them together, as NumPy's calls are many
+            columns = np.empty((self._sizes[0], np.count_nonzero(left)))
+            self._set_up_rows(slice(None), [v[left] for v in inputs], columns)
+            attitude[left], momentum[left] = self.states(columns, times[left], rests[left])
+        return attitude.reshape(*shape, 4), momentum.reshape(*shape, 3)
+
+    # ------------------------------------------------------------------ in each way
 
     def _by_python(
         self, flat: Array, bodies: Array | None, times: Array, rests: Array, attitude: Array, momentum: Array
@@ -243,6 +296,14 @@ class ClosedForm:
             flat, bodies[low:high], times[low:high], rests[low:high], attitude[low:high], momentum[low:high]
         )
         in_threads(fill, len(times), kernel_loops.WORTH)
+
+
+def _flatten(arguments: Vectors) -> tuple[tuple[int, ...], list[Array]]:
+    """Return the common batch shape of arrays (…, k), and all of them flat, (bodies, k)."""
+    if all(v.ndim == 1 for v in arguments):  # of one body, where broadcasting takes as long as the kernel
+        return (), [v[None] for v in arguments]
+    shape = np.broadcast_shapes(*(np.shape(v)[:-1] for v in arguments))
+    return shape, [np.broadcast_to(v, (*shape, np.shape(v)[-1])).reshape(-1, np.shape(v)[-1]) for v in arguments]
 
 
 def _own(values: Array, of: type = float) -> Array:

@@ -15,7 +15,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-BLOCK = 256  # states, bodies or tops at a time: what is kept of them stays in the first two levels of cache
+# states, bodies or tops at a time: what is kept of them stays in the first two levels of cache. With a power of two the
+# rows of a store, of which a loop reads fifty, would all fall into two of the cache's 64 sets
+BLOCK = 264
 ROUNDING = 6755399441055744.0  # 1.5 · 2⁵²: added and taken away again, it leaves the nearest whole number
 SPLITTING = 134217729.0  # 2²⁷ + 1
 SWEEPS = 5  # of an exact sum, after which its last term and the others have all its digits

@@ -67,7 +67,7 @@ from polhode.exact.free_body._formulas_setup import (
     motion_of,
 )
 
-WORTH = 2_000  # bodies for which a thread is worth its start
+WORTH = 8_000  # bodies for which a thread is worth its start and its memory
 RANGE = 1e-120, 1e120  # of the largest moment and component of momentum
 SPREAD = 2.0**-60  # of the moments, and of the components of momentum that are not zero: nothing underflows
 # rows of what stores keep of a block of bodies, in the order given, and then sorted by the form that they take

@@ -5,6 +5,8 @@ What only JAX needs, and tops that the kernels leave, is imported there: most mo
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from polhode._base.arrays import Elementwise, is_jax, namespace, stack_last
@@ -39,12 +41,12 @@ def characteristics(arguments: Vectors) -> geometry.Characteristics:
 
 
 def state(
-    columns: Constants, arguments: Vectors, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
+    motion: Any, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
 ) -> tuple[Float64[Array, "*batch 4"], Float64[Array, "*batch 3"]]:
-    """Return attitude (…, 4) and momentum (…, 3) at the elapsed times, which broadcast against the columns."""
-    if is_jax(elapsed, *arguments):
-        return _STATE(*arguments, elapsed, rest)  # type: ignore[return-value]
-    return FORM.states(columns, elapsed, rest)  # type: ignore[arg-type]
+    """Return attitude (…, 4) and momentum (…, 3) at the elapsed times, which broadcast against the motion's batch."""
+    if is_jax(elapsed, *motion._arguments):
+        return _STATE(*motion._arguments, elapsed, rest)  # type: ignore[return-value]
+    return FORM.states_of(motion, elapsed, rest)
 
 
 def _symmetric(moments: Array) -> Array:

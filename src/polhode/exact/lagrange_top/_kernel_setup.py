@@ -74,7 +74,7 @@ from polhode.exact.lagrange_top._kernel_reduction import begin, is_left, is_near
 from polhode.exact.lagrange_top._kernel_roots import turning_points
 from polhode.exact.lagrange_top._kernel_store import ALL, KEPT, ROWS
 
-WORTH = 1_000  # tops for which a thread is worth its start
+WORTH = 4_000  # tops for which a thread is worth its start and its memory
 
 
 def _form(w: Any, i: int) -> int:

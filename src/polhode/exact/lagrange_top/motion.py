@@ -191,7 +191,7 @@ class LagrangeMotion(AbstractMotion, Generic[Answer]):
     def closed_form(
         self, elapsed: Float64[Array, "..."], rest: Float64[Array, "..."]
     ) -> tuple[Float64[Array, "... 4"], Float64[Array, "... 3"]]:
-        return evaluation.state(self._columns, self._arguments, elapsed, rest)
+        return evaluation.state(self, elapsed, rest)
 
     @property
     def fastest_rate(self) -> Float64[Array, "*batch"]:
