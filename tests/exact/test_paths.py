@@ -105,6 +105,9 @@ def test_constants_of_many_are_kept_from_the_second_call_on(make, block, by_pyth
         at_one = other.state(0.0)
         assert "_columns" not in vars(other)
     assert all(np.array_equal(a, b, equal_nan=True) for a, b in zip(at_one, later, strict=True))
+    python_alone(monkeypatch)  # one by one, without stores, of which no kernel reads what it did not put there
+    alone = make()[0].state(times)
+    assert all(np.array_equal(a, b, equal_nan=True) for a, b in zip(first, alone, strict=True))
 
 
 def test_constants_are_kept_at_once_where_each_body_has_many_times(by_python):

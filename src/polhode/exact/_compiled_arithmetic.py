@@ -203,6 +203,7 @@ FOR_NUMBA: dict[str, Any] = {
     "times_power": compile_part(inspect.unwrap(_times_power)),
     "square_root": compile_part(lambda x: np.sqrt(x)), "exponential": compile_part(lambda x: math.exp(x)),
     "floor": compile_part(lambda x: np.floor(x)), "nearest": compile_part(lambda x: np.rint(x)),
-    "room": compile_part(lambda count: np.zeros(count)), "flags": compile_part(lambda count: np.empty(count, np.bool_)),
+    "room": compile_part(lambda count: np.empty(count)), "cleared": compile_part(lambda count: np.zeros(count)),
+    "flags": compile_part(lambda count: np.empty(count, np.bool_)),
     "places": compile_part(lambda count: np.empty(count, np.int64)),
 }  # fmt: skip

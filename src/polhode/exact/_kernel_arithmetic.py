@@ -150,7 +150,15 @@ def iterate_until(
 
 
 def room(count: int) -> Any:
-    """Return room for numbers, which are zero; what is put into parts of it is in the whole."""
+    """Return room for numbers, which are read where they were put alone; what is put into parts of it is in the whole.
+
+    Compiled, it is not even cleared, which would take as long as the kernel of a short run.
+    """
+    return memoryview(array("d", [math.nan]) * count)
+
+
+def cleared(count: int) -> Any:
+    """Return room for numbers, which are zero."""
     return memoryview(array("d", bytes(8 * count)))
 
 

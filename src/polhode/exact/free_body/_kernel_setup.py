@@ -17,6 +17,7 @@ from polhode.exact._kernel_agm import AA, STEPS, third_kind
 from polhode.exact._kernel_arithmetic import (
     BLOCK,
     Pair,
+    cleared,
     flags,
     pair,
     places,
@@ -227,8 +228,8 @@ def _matrices(w: Any, count: int, m: Any, spinor: Any) -> None:
 
 @entry
 def set_up(moments: Any, momentum: Any, attitude: Any, columns: Any, left: Any, first: int) -> None:
-    begun, w, m = room(ALL), room(ROWS), room(COLUMNS * BLOCK)
-    steps, work, zeros = room(STEPS * BLOCK), room(WORK * BLOCK), room(BLOCK)
+    begun, w, m = room(ALL), room(ROWS), cleared(COLUMNS * BLOCK)
+    steps, work, zeros = room(STEPS * BLOCK), room(WORK * BLOCK), cleared(BLOCK)
     place, who = places(BLOCK), places(BLOCK)
     for low in range(0, len(moments), BLOCK):
         part = slice(low, low + BLOCK)

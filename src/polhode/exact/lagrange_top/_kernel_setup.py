@@ -14,6 +14,7 @@ from polhode.exact._formulas import mean_start
 from polhode.exact._kernel_agm import AA, STEPS, third_kind
 from polhode.exact._kernel_arithmetic import (
     BLOCK,
+    cleared,
     flags,
     pair,
     places,
@@ -227,8 +228,8 @@ def _is_finite(part: Any) -> bool:
 def set_up(
     moments: Any, mgl: Any, momentum: Any, attitude: Any, columns: Any, left: Any, first: int
 ) -> None:
-    before, w, m = room(ALL), room(ROWS), room(COLUMNS * BLOCK)
-    steps, work, zeros = room(STEPS * BLOCK), room(WORK * BLOCK), room(BLOCK)
+    before, w, m = room(ALL), room(ROWS), cleared(COLUMNS * BLOCK)
+    steps, work, zeros = room(STEPS * BLOCK), room(WORK * BLOCK), cleared(BLOCK)
     sources, place, who = places(BLOCK), places(BLOCK), places(BLOCK)
     good = flags(BLOCK)
     for low in range(0, len(moments), BLOCK):
