@@ -27,7 +27,7 @@ COMMON = tuple(f"polhode.exact.{name}" for name in (
     "_kernel_arithmetic", "_kernel_records", "_kernel_agm", "_formulas", "_kernel_loops",
 ))
 ROWS = 8192  # states at a time by NumPy, whose temporaries then stay in the cache; worth a thread, as bodies are
-AT_ONCE = 4 * BLOCK  # bodies whose constants stay in the cache until their states are computed: .4 MB
+AT_ONCE = 8 * BLOCK  # bodies whose constants stay in the cache until their states are computed: .8 MB
 ARITHMETIC = "polhode.exact._compiled_arithmetic"  # which imports Numba
 State = tuple[float, float, float, float, float, float, float]
 
