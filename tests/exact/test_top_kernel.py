@@ -83,8 +83,8 @@ def left(monkeypatch):
 def test_which_tops_it_takes(left):
     """Of all families at once; those that it leaves to NumPy stand among them."""
     cases, taken = draw_tops(PER_FAMILY_OF_MANY, 8), Counter()
-    *top, times = batch(cases)
-    lagrange_motion(*top).state(times)
+    *top, _ = batch(cases)
+    assert lagrange_motion(*top)._columns.shape[1] == len(cases)
     for case, is_left in zip(cases, left[0], strict=True):
         taken[case.family] += int(not is_left)
     assert len(left) == 1
@@ -99,6 +99,7 @@ def test_what_rounding_leaves_of_the_separatrix_is_summed_exactly(left):
     tops = columns(motions)
     times = tops.pop("time")
     motion = motion_of(**tops)
+    assert motion._columns.shape[1] == len(motions)
     states = np.concatenate(motion.state(times), axis=-1)
     swing = np.sqrt(motion.mgl / motion.moments[:, 0])
     assert not left[0].any() and np.median(motion.nutation_period * swing) > 30.0
