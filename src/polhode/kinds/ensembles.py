@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 import numpy as np
@@ -58,12 +58,14 @@ class Ensemble(NamedTuple):
         values: name of an answer, as the JSON has it → values (sample, …), NaN where it is not defined; of
             ``states.`` and a part of the state, (sample, time, …).
         refused: sample → why there is no such motion.
-        lost: sample → why its motion could not be followed.
+        alone: samples whose own reports have the answers, and whose values here mean nothing.
+        by_steps: whether the motions go by steps, which take longer than closed forms.
     """
 
     values: dict[str, Any]
     refused: dict[int, str]
-    lost: dict[int, str] = {}  # noqa: RUF012
+    alone: Sequence[int] = ()
+    by_steps: bool = False
 
 
 def vary_table(table: TableT, name: str, varied: Mapping[str, Any], count: int) -> TableT:

@@ -53,7 +53,7 @@ def start_tops(samples: ManySpecs, make_start: MakeStart) -> ManyTops:
     if all(key in AT_ONCE or key.startswith("spin.") for key in samples.varied):
         top = make_start(samples.spec)[0]
         if float(top.mgl) != 0.0:
-            starts = _start_together(samples, top)
+            starts = start_together(samples, top)
             fine, alone = ~starts.doubtful, np.flatnonzero(starts.doubtful)
             moments[:], mgl[fine] = np.asarray(top.moments), starts.mgl[fine]
             momentum[fine], attitude[fine] = starts.momentum[fine], starts.attitude[fine]
@@ -66,7 +66,8 @@ def start_tops(samples: ManySpecs, make_start: MakeStart) -> ManyTops:
     return ManyTops(moments, mgl, momentum, attitude, tops, refused)
 
 
-def _start_together(samples: ManySpecs, top: HeavyTop) -> TopStarts:
+def start_together(samples: ManySpecs, top: HeavyTop) -> TopStarts:
+    """Return how many samples of a top that is not free start, which differ by weight, lean and spin."""
     spec, count = samples.spec, samples.size
     assert spec.body is not None
     table = vary_table(spec.system, "system", samples.varied, count)

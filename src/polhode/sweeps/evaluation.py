@@ -166,10 +166,15 @@ class Evaluator:
         return self._first is not None
 
     @property
+    def by_steps(self) -> bool:
+        """Whether what is computed at once goes by steps."""
+        return self._first is not None and self._first.by_steps
+
+    @property
     def chunk_size(self) -> int:
         """How many samples are computed together."""
         count = self.plan.design.count
-        return min(self.plan.chunk or choose_chunk(count, self.at_once), count)
+        return min(self.plan.chunk or choose_chunk(count, self.at_once, by_steps=self.by_steps), count)
 
     def chunk(self, low: int, high: int) -> Chunk:
         """Return the samples low, …, high − 1."""
@@ -211,7 +216,26 @@ class Evaluator:
                 values[wrong] = good[key][0]
             ensemble = self._ensemble(inputs)
         assert ensemble is not None
-        return ensemble.values, ensemble.refused | refused, ensemble.lost
+        if not ensemble.alone:
+            return ensemble.values, ensemble.refused | refused, {}
+        return self._join(ensemble, ensemble.refused | refused, inputs)
+
+    def _join(
+        self, ensemble: Ensemble, refused: dict[int, str], inputs: dict[str, Any]
+    ) -> tuple[dict[str, Any], dict[int, str], dict[int, str]]:
+        """Return the answers of an ensemble, with those of the samples that it leaves to their own reports."""
+        count = len(next(iter(inputs.values())))
+        alone = [k for k in ensemble.alone if k not in refused]
+        own, not_possible, not_followed = self._one_by_one({key: array[alone] for key, array in inputs.items()},
+                                                           len(alone))
+        together, values = np.setdiff1d(np.arange(count), ensemble.alone), {}
+        for column in self.columns:
+            values[column.name] = column.blank(count)
+            values[column.name][alone] = own[column.name]
+            if len(together):
+                values[column.name][together] = take_output(ensemble.values, column.name)[together]
+        refused = refused | {alone[k]: why for k, why in not_possible.items()}
+        return values, refused, {alone[k]: why for k, why in not_followed.items()}
 
     def _impossible(self, inputs: dict[str, Any], low: int, high: int) -> dict[int, str]:
         """Find by bisection the samples that make a joint computation fail, and why."""

@@ -38,6 +38,8 @@ class PlanThresholds(NamedTuple):
         many_chunks: of a sweep; beyond that chunks double, as each has a file for each array.
         chunk_at_once: samples of a chunk that is computed at once.
         largest_at_once: samples of a doubled chunk: some seconds of work, and 8 MB an array.
+        chunk_by_steps: samples of a chunk that is followed at once by steps, beyond which a sample costs no less.
+        largest_by_steps: samples of a doubled one: minutes of work.
         chunk_of_reports: samples of a chunk of reports.
         largest_of_reports: samples of a doubled one: what is lost when a sweep is stopped takes minutes again.
     """
@@ -47,6 +49,8 @@ class PlanThresholds(NamedTuple):
     many_chunks: int = 1024
     chunk_at_once: int = 2**16
     largest_at_once: int = 2**20
+    chunk_by_steps: int = 2**10
+    largest_by_steps: int = 2**14
     chunk_of_reports: int = 2**6
     largest_of_reports: int = 2**10
 
@@ -54,10 +58,12 @@ class PlanThresholds(NamedTuple):
 LIMITS = PlanThresholds()
 
 
-def choose_chunk(samples: int, at_once: bool) -> int:
+def choose_chunk(samples: int, at_once: bool, by_steps: bool = False) -> int:
     """Return how many of a sweep's samples make a chunk, where the spec does not say it."""
     least, largest = LIMITS.chunk_of_reports, LIMITS.largest_of_reports
-    if at_once:
+    if at_once and by_steps:
+        least, largest = LIMITS.chunk_by_steps, LIMITS.largest_by_steps
+    elif at_once:
         least, largest = LIMITS.chunk_at_once, LIMITS.largest_at_once
     wanted = 2 ** math.ceil(math.log2(samples / LIMITS.many_chunks))
     return min(max(least, min(wanted, largest)), samples)

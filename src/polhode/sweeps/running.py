@@ -116,7 +116,10 @@ class Sweep:
     def cost(self) -> float:
         """Return about how many seconds one core will take, by a measurement."""
         count = self.plan.design.count
-        tried = min(self.evaluator.chunk_size, 4096) if self.evaluator.at_once else min(count, 8)
+        if self.evaluator.at_once:
+            tried = min(self.evaluator.chunk_size, 128 if self.evaluator.by_steps else 4096)
+        else:
+            tried = min(count, 8)
         self.evaluator.chunk(0, 1)  # compilation and other work of a first call
         begin = time.perf_counter()
         self.evaluator.chunk(0, tried)

@@ -12,20 +12,20 @@ from polhode.bodies._inertia import principal_axes
 from polhode.bodies.body import Body
 from polhode.errors import InvalidInput, shown
 from polhode.systems.gyrostat import Gyrostat
-from polhode.types import Array, ArrayLike, Float64, Real
+from polhode.types import Array, ArrayLike, ArrayOrFloat, Float64, Real
 
 
 class RotorInBody(NamedTuple):
-    """A body with its rotor, at the start of a motion.
+    """A body with its rotor, at the start of a motion, or of many from different spins.
 
     Attributes:
         moments: (3,) of the motion: rotor locked, or of a free rotor less its axial moment [kg m²].
         axes: (3, 3) their axes by columns in the given ones; the vectors below are along them.
         along: (3,) unit vector of the rotor's axis.
-        momentum: of the rotor along its axis, relative to the body or, of a free one, whole [kg m²/s].
-        velocity: (3,) Ω [rad/s].
-        total: (3,) L of body and rotor [kg m²/s].
-        attitude: (4,) unit quaternion, these axes → space.
+        momentum: (…) of the rotor along its axis, relative to the body or, of a free one, whole [kg m²/s].
+        velocity: (…, 3) Ω [rad/s].
+        total: (…, 3) L of body and rotor [kg m²/s].
+        attitude: (…, 4) unit quaternion, these axes → space.
         rotor_moment: J of the rotor about its axis [kg m²].
         free: whether no torque about its axis acts on it.
     """
@@ -33,10 +33,10 @@ class RotorInBody(NamedTuple):
     moments: Float64[Array, "3"]
     axes: Float64[Array, "3 3"]
     along: Float64[Array, "3"]
-    momentum: float
-    velocity: Float64[Array, "3"]
-    total: Float64[Array, "3"]
-    attitude: Float64[Array, "4"]
+    momentum: Float64[ArrayOrFloat, "*start"]
+    velocity: Float64[Array, "*start 3"]
+    total: Float64[Array, "*start 3"]
+    attitude: Float64[Array, "*turn 4"]
     rotor_moment: float
     free: bool
 
@@ -63,8 +63,8 @@ def rotor_in_body(
     rotor_axis: Real[ArrayLike, "3"],
     rotor_moment: float,
     rotor_rate: float,
-    angular_velocity: Real[ArrayLike, "3"],
-    attitude: Real[ArrayLike, "4"] = (1.0, 0.0, 0.0, 0.0),
+    angular_velocity: Real[ArrayLike, "*start 3"],
+    attitude: Real[ArrayLike, "*turn 4"] = (1.0, 0.0, 0.0, 0.0),
     *,
     free: bool = False,
 ) -> RotorInBody:
@@ -75,8 +75,8 @@ def rotor_in_body(
         rotor_axis: (3,) of any length [given axes].
         rotor_moment: about that axis [kg m²].
         rotor_rate: relative to the body [rad/s].
-        angular_velocity: (3,) Ω of the body [rad/s, given axes].
-        attitude: (4,) unit quaternion wxyz, given axes → space.
+        angular_velocity: (…, 3) Ω of the body [rad/s, given axes].
+        attitude: (…, 4) unit quaternion wxyz, given axes → space.
         free: whether the rotor turns freely, or by a motor of given torque, and not at a constant rate; its axial
             moment does not move with the body then.
 
@@ -97,11 +97,13 @@ def rotor_in_body(
     if free:
         # L = (I − J aaᵀ) Ω + h a with h = J (σ + a·Ω): what the axial moment carries is in h (Hughes §3.4)
         moments, axes = principal_axes(body.inertia - rotor_moment * np.outer(axis, axis))
-    along, velocity = clean_direction(axes.T @ axis), axes.T @ np.asarray(angular_velocity, dtype=float)
+    along = clean_direction(axes.T @ axis)
+    velocity = (np.asarray(angular_velocity, dtype=float)[..., None, :] @ axes)[..., 0, :]  # alike of one and of many
     body_attitude = rotation.multiply(np.asarray(attitude, dtype=float), rotation.from_matrix(axes))
-    momentum = rotor_moment * (rotor_rate + (float(along @ velocity) if free else 0.0))
-    return RotorInBody(moments, axes, along, momentum, velocity, moments * velocity + momentum * along, body_attitude,
-                       float(rotor_moment), free)
+    momentum = rotor_moment * (rotor_rate + (np.vecdot(velocity, along) if free else np.zeros(velocity.shape[:-1])))
+    total = moments * velocity + momentum[..., None] * along
+    return RotorInBody(moments, axes, along, momentum if momentum.ndim else float(momentum), velocity, total,
+                       body_attitude, float(rotor_moment), free)
 
 
 @known_numbers_only

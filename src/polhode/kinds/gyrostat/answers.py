@@ -20,7 +20,7 @@ from polhode.analysis.gyrostat_rotations import (
 )
 from polhode.bodies.body import Body
 from polhode.kinds.base import Spec, SpecMotion
-from polhode.kinds.gyrostat.build import build, system_and_state, usual_span
+from polhode.kinds.gyrostat.build import build, make_system, pack_start, usual_span
 from polhode.kinds.gyrostat.losses import describe_losses, judge_losses
 from polhode.kinds.gyrostat.table import GyrostatTable
 from polhode.kinds.stepping import Start
@@ -37,7 +37,7 @@ from polhode.types import Array, Float64
 
 @dataclass(frozen=True)
 class GyrostatReport(MotionReport):
-    """A body with a rotor.
+    """A body with a rotor; of many motions of one, what is marked (…) has an axis of samples, and the rest is not used.
 
     Attributes:
         table: the rotor as the spec gives it.
@@ -101,26 +101,27 @@ class GyrostatReport(MotionReport):
         return self.table.motor_torque is not None
 
     @property
-    def rotor_momentum(self) -> Float64[Array, "time"]:
-        """(T,) along its axis [kg m²/s], relative to the body or, of a free one, whole."""
+    def rotor_momentum(self) -> Float64[Array, "*batch time"]:
+        """(…, T) along its axis [kg m²/s], relative to the body or, of a free one, whole."""
         if self.motor:
             return np.asarray(self.trajectory.part("rotor_momentum"))
-        return np.full(len(self.trajectory.times), self.rotor)
+        shape = np.shape(self.trajectory.states)[:-1]
+        return np.broadcast_to(np.asarray(self.rotor)[..., None], shape)
 
     @property
-    def rotor_rate(self) -> Float64[Array, "time"]:
-        """(T,) relative to the body [rad/s]."""
+    def rotor_rate(self) -> Float64[Array, "*batch time"]:
+        """(…, T) relative to the body [rad/s]."""
         along = np.asarray(self.trajectory.angular_velocity) @ self.along if self.free else 0.0
         return self.rotor_momentum / self.table.rotor_moment - along
 
     @property
-    def axis_to_momentum(self) -> Float64[Array, "time"]:
-        """(T,) angle from the rotor's axis to L [rad]; zeros without momentum."""
+    def axis_to_momentum(self) -> Float64[Array, "*batch time"]:
+        """(…, T) angle from the rotor's axis to L [rad]; zeros without momentum."""
         return angle_from_axis(self.trajectory.momentum, self.along)
 
     @property
-    def energy(self) -> Float64[Array, "time"]:
-        """(T,) ½ Ω·IΩ with the moments of the motion [J]."""
+    def energy(self) -> Float64[Array, "*batch time"]:
+        """(…, T) ½ Ω·IΩ with the moments of the motion [J]."""
         return 0.5 * np.sum(self.moments * np.asarray(self.trajectory.angular_velocity) ** 2, axis=-1)
 
     @property
@@ -282,7 +283,7 @@ def begin_motion(spec: Spec[GyrostatTable]) -> Start:
     frame = BodyFrame(assembly.moments, assembly.axes, body.center_of_mass, body.mass)
     remedy = "" if table.step is None else "A longer `system.step` takes less."
     return Start(
-        *system_and_state(table, assembly), times,
+        make_system(table, assembly), pack_start(table, assembly), times,
         lambda trajectory, _: GyrostatReport(spec, table, assembly, replace(trajectory, frame=frame)),
         spec.until, remedy, {"step": table.step},
     )

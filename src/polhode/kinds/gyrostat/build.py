@@ -17,7 +17,7 @@ from polhode.types import Array, Float64
 
 
 def build(spec: Spec[GyrostatTable]) -> RotorInBody:
-    """Return the gyrostat of a spec and its start.
+    """Return the gyrostat of a spec and its start, or the starts of many, where numbers of [spin] are arrays.
 
     Raises:
         InvalidInput: for a rotor that does not fit into the body.
@@ -34,17 +34,24 @@ def build(spec: Spec[GyrostatTable]) -> RotorInBody:
     )
 
 
-def system_and_state(table: GyrostatTable, assembly: RotorInBody) -> tuple[AbstractSystem, Float64[Array, "state"]]:
-    """Return what moves, and its state at the start."""
-    state = np.concatenate([assembly.attitude, assembly.total])
+def make_system(table: GyrostatTable, assembly: RotorInBody) -> AbstractSystem:
+    """Return what moves."""
     if table.motor_torque is None:
-        return assembly.gyrostat, state
-    system = TorquedGyrostat(assembly.moments, assembly.along, table.rotor_moment, table.motor_torque)
-    return system, np.append(state, assembly.momentum)
+        return assembly.gyrostat
+    return TorquedGyrostat(assembly.moments, assembly.along, table.rotor_moment, table.motor_torque)
+
+
+def pack_start(table: GyrostatTable, assembly: RotorInBody) -> Float64[Array, "*start state"]:
+    """Return the states (…, n) at the start."""
+    parts = [assembly.attitude, assembly.total]
+    if table.motor_torque is not None:
+        parts.append(np.asarray(assembly.momentum)[..., None])
+    shape = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
+    return np.concatenate([np.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1)
 
 
 def _start(spec: Spec[GyrostatTable], rotor: Array) -> tuple[Array, Array]:
-    """Return Ω (3,) along the given axes and their attitude (4,); a momentum in the spec is the whole one.
+    """Return Ω (…, 3) along the given axes and their attitude (…, 4); a momentum in the spec is the whole one.
 
     Args:
         spec: with the start.
@@ -56,7 +63,7 @@ def _start(spec: Spec[GyrostatTable], rotor: Array) -> tuple[Array, Array]:
     if spec.spin is not None and spec.spin.momentum is not None:
         momentum = momentum - axes.T @ rotor
     back = rotation.conjugate(rotation.from_matrix(axes))
-    return axes @ (momentum / moments), rotation.multiply(attitude, back)
+    return ((momentum / moments)[..., None, :] @ axes.T)[..., 0, :], rotation.multiply(attitude, back)
 
 
 def usual_span(table: GyrostatTable, assembly: RotorInBody) -> float:

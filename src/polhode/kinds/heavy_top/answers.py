@@ -52,13 +52,12 @@ def begin_motion(spec: Spec[HeavyTopTable]) -> Start:
     assert body is not None
     top = build_top(body, table.pivot, table.gravity)
     momentum, attitude = _start(spec, top)
-    state = top.pack(rotation.multiply(attitude, rotation.conjugate(rotation.from_matrix(np.asarray(top.axes)))),
-                     momentum=np.asarray(top.axes) @ momentum)
+    state = pack_start(top, momentum, attitude)
     if times is None:
         times = usual_times(None, top, momentum, spec.samples)
 
     def report(trajectory: Trajectory, warned: tuple[str, ...]) -> HeavyTopReport:
-        named = replace(_rename_invariants(trajectory), frame=build_frame(top, body, table.pivot))
+        named = replace(rename_invariants(trajectory), frame=build_frame(top, body, table.pivot))
         return HeavyTopReport(body, spec.surface, top, named, momentum, warned, spec.remarks)
 
     return Start(top, state, times, report, spec.until, _remedy(spec), {"step": table.step, "order": table.order},
@@ -103,6 +102,15 @@ def _start(spec: Spec[HeavyTopTable], top: HeavyTop) -> tuple[Float64[Array, "3"
     return build_start(top, spec.spin, momentum, attitude, spec.system.lean)
 
 
+def pack_start(
+    top: HeavyTop, momentum: Float64[Array, "*#batch 3"], attitude: Float64[Array, "*#batch 4"]
+) -> Float64[Array, "*batch 10"]:
+    """Return packed states (…, 10) from momenta (…, 3) along, and attitudes (…, 4) of, the principal axes."""
+    axes = np.asarray(top.axes)
+    given = (momentum[..., None, :] @ axes.T)[..., 0, :]  # with the same bits of one as of many
+    return top.pack(rotation.multiply(attitude, rotation.conjugate(rotation.from_matrix(axes))), momentum=given)
+
+
 def _remedy(spec: Spec[HeavyTopTable]) -> str:
     """Return the remedies for a long run: longer steps, or a kind of top in closed form."""
     exact = other_kind(spec.kind.subject, in_closed_form=True)
@@ -110,7 +118,7 @@ def _remedy(spec: Spec[HeavyTopTable]) -> str:
     return longer + ("" if exact is None else f'kind = "{exact.name}" takes no steps, if it is one.')
 
 
-def _rename_invariants(trajectory: Trajectory) -> Trajectory:
+def rename_invariants(trajectory: Trajectory) -> Trajectory:
     """Return the trajectory with its invariants named as usual for a top."""
     rename = lambda values: {NAMES.get(k, k): v for k, v in values.items() if k != "linear_space"}  # noqa: E731
     return replace(
