@@ -417,10 +417,7 @@ def begin_motion(spec: Spec[RigidBodyTable]) -> Start:
     """
     body, craft = spec.body, build(spec)
     assert body is not None
-    times, parts = usual_times(craft, spec), 1
-    if craft.system.limited:
-        parts = max(1, math.ceil((LIMITS.min_samples - 1) / (len(times) - 1)))
-        times = np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1])
+    times, parts = choose_times(craft, usual_times(craft, spec))
 
     def report(trajectory: Trajectory, _: tuple[str, ...]) -> RigidBodyReport:
         trajectory, limits = replace(trajectory, source=craft.system, frame=body.frame), "none"
@@ -431,6 +428,14 @@ def begin_motion(spec: Spec[RigidBodyTable]) -> Start:
         return RigidBodyReport(spec, craft, history.add_observed(trajectory), history, limits)
 
     return Start(craft.system, craft.state, times, report, spec.until)
+
+
+def choose_times(craft: Craft, times: Float64[Array, "time"]) -> tuple[Float64[Array, "close"], int]:
+    """Return times at which limits of actuators can be judged, and how many of them go to one of the given times."""
+    if not craft.system.limited:
+        return times, 1
+    parts = max(1, math.ceil((LIMITS.min_samples - 1) / (len(times) - 1)))
+    return np.append(np.linspace(times[:-1], times[1:], parts, endpoint=False, axis=1), times[-1]), parts
 
 
 def _thin(trajectory: Trajectory, parts: int) -> Trajectory:

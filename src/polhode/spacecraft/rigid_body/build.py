@@ -40,6 +40,8 @@ class Craft(NamedTuple):
         law: of control, as it is in the system; None without control.
         wheels: the controlled wheels; None where there are none.
         wheel_tables: those of the wheels in the order of ``rates``: the controlled ones, then the others.
+        rates: of the mounts at the start, as ``RigidBody.pack`` takes them.
+        coordinates: likewise.
     """
 
     system: RigidBody
@@ -48,6 +50,13 @@ class Craft(NamedTuple):
     law: AbstractControlLaw | None
     wheels: ControlledWheels | None
     wheel_tables: tuple[WheelTable, ...]
+    rates: list[Any]
+    coordinates: list[Any]
+
+    def pack_starts(self, spec: Spec[RigidBodyTable]) -> Float64[Array, "*start n"]:
+        """Return the states (…, n) from which this craft starts by a spec whose numbers of [spin] are arrays."""
+        attitude, velocity, momentum = _start(spec, self.orbit)
+        return np.asarray(self.system.pack(attitude, velocity, momentum, self.rates, coordinates=self.coordinates))
 
     @property
     def falls_freely(self) -> bool:
@@ -99,7 +108,7 @@ def build(spec: Spec[RigidBodyTable]) -> Craft:
     acting = next((torque.law for torque in system.torques if isinstance(torque, ControlTorque)), None)
     return Craft(
         system, np.asarray(state), orbit, acting if wheels is None else wheels.law, wheels,
-        (*controlled, *(wheel for _, wheel in others)),
+        (*controlled, *(wheel for _, wheel in others)), rates, places,
     )
 
 
@@ -199,7 +208,7 @@ def _make_at(place: str, make: Callable[[], Any]) -> Any:
 
 
 def _start(spec: Spec[RigidBodyTable], orbit: KeplerOrbit | None) -> tuple[Array, Array | None, Array | None]:
-    """Return attitude (4,) of, and Ω (3,) or else the whole L (3,) along, the given axes."""
+    """Return attitude (…, 4) of, and Ω (…, 3) or else the whole L (…, 3) along, the given axes."""
     assert spec.body is not None
     moments, axes = spec.body.principal_moments, spec.body.principal_axes
     if not moments[0] > 0:
@@ -209,7 +218,7 @@ def _start(spec: Spec[RigidBodyTable], orbit: KeplerOrbit | None) -> tuple[Array
         )
     along, principal = spec.start(moments, axes)
     attitude = np.asarray(rotation.multiply(principal, rotation.conjugate(rotation.from_matrix(axes))))
-    if spec.spin is not None and spec.spin.attitude == (1.0, 0.0, 0.0, 0.0):
+    if spec.spin is not None and np.array_equal(spec.spin.attitude, (1.0, 0.0, 0.0, 0.0)):
         attitude = np.array([1.0, 0.0, 0.0, 0.0])  # without the rounding of a rotation there and back
     whole = spec.spin is not None and spec.spin.momentum is not None
     relative = spec.system.orbit is not None and spec.system.orbit.relative
@@ -219,8 +228,15 @@ def _start(spec: Spec[RigidBodyTable], orbit: KeplerOrbit | None) -> tuple[Array
         frame, turning = map(np.asarray, _frame(orbit))
         attitude = rotation.multiply(frame, attitude)
         turning = rotation.rotate(rotation.conjugate(attitude), turning)
-        return attitude, axes @ (along / moments) + turning, None
-    return (attitude, None, axes @ along) if whole else (attitude, axes @ (along / moments), None)
+        return attitude, _in_given_axes(axes, along / moments) + turning, None
+    if whole:
+        return attitude, None, _in_given_axes(axes, along)
+    return attitude, _in_given_axes(axes, along / moments), None
+
+
+def _in_given_axes(axes: Float64[Array, "3 3"], vectors: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch 3"]:
+    """Return vectors (…, 3) from the axes by columns, with the same bits of one as of many."""
+    return (vectors[..., None, :] @ axes.T)[..., 0, :]
 
 
 @compiled_for_few_calls

@@ -30,7 +30,7 @@ OBSERVED = {
 
 
 class History(NamedTuple):
-    """Numbers at the samples of a motion.
+    """Numbers at the samples of a motion, or of each of a batch, whose axis comes first.
 
     Attributes:
         velocity: Ω (T, 3) [rad/s, given axes].
@@ -46,21 +46,23 @@ class History(NamedTuple):
         load: demand on actuators over their limits, at these samples or closer ones.
     """
 
-    velocity: Float64[Array, "time 3"]
-    momentum: Float64[Array, "time 3"]
-    stored: Float64[Array, "time 3"]
-    pointing: Float64[Array, "time"] | None
-    slew: Float64[Array, "time"] | None
-    from_nadir: Float64[Array, "time"] | None
-    rates: Float64[Array, "time wheels"]
-    motors: Float64[Array, "time wheels"]
-    torques: Float64[Array, "time torques"]
-    load: Float64[Array, "samples"]
+    velocity: Float64[Array, "*batch time 3"]
+    momentum: Float64[Array, "*batch time 3"]
+    stored: Float64[Array, "*batch time 3"]
+    pointing: Float64[Array, "*batch time"] | None
+    slew: Float64[Array, "*batch time"] | None
+    from_nadir: Float64[Array, "*batch time"] | None
+    rates: Float64[Array, "*batch time wheels"]
+    motors: Float64[Array, "*batch time wheels"]
+    torques: Float64[Array, "*batch time torques"]
+    load: Float64[Array, "*batch samples"]
 
     def thin(self, parts: int) -> History:
         """Return every ``parts``-th sample; ``load`` stays whole, as it counts between the samples too."""
         kept = {name: value for name, value in self._asdict().items() if value is not None}
-        return self._replace(**{name: value[::parts] for name, value in kept.items() if name != "load"})
+        batch = (slice(None),) * (self.load.ndim - 1)
+        return self._replace(**{name: value[(*batch, slice(None, None, parts))]
+                                for name, value in kept.items() if name != "load"})  # fmt: skip
 
     def add_observed(self, trajectory: Trajectory) -> Trajectory:
         """Return the trajectory with this history's quantities as ``observed``, which files hold."""
@@ -70,22 +72,31 @@ class History(NamedTuple):
         return replace(trajectory, observed=kept, quantities=trajectory.quantities | quantities)
 
     @property
-    def power(self) -> Float64[Array, "time"]:
-        """(T,) mechanical power of all motors, none of it given back: Σ |u σ| [W]."""
+    def power(self) -> Float64[Array, "*batch time"]:
+        """(…, T) mechanical power of all motors, none of it given back: Σ |u σ| [W]."""
         return np.sum(np.abs(self.rates * self.motors), axis=-1)
 
 
 def follow(
-    system: RigidBody, orbit: KeplerOrbit | None, times: Float64[Array, "time"], states: Float64[Array, "time n"]
+    system: RigidBody, orbit: KeplerOrbit | None, times: Float64[Array, "time"], states: Float64[Array, "*batch time n"]
 ) -> History:
-    """Return the history of a motion, of its samples."""
-    values = _follow(system, orbit, jnp.asarray(times), jnp.asarray(states))
+    """Return the history of a motion, or of those of a batch along one axis, of its samples."""
+    values = (_follow if np.ndim(states) == 2 else _follow_many)(system, orbit, jnp.asarray(times), jnp.asarray(states))
     arrays: dict[str, Any] = {name: None if value is None else np.asarray(value) for name, value in values.items()}
     return History(**arrays)
 
 
 @compiled_for_few_calls
+def _follow_many(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: Array) -> dict[str, Any]:
+    return jax.vmap(lambda one: _compute_history(system, orbit, times, one))(states)
+
+
+@compiled_for_few_calls
 def _follow(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: Array) -> dict[str, Any]:
+    return _compute_history(system, orbit, times, states)
+
+
+def _compute_history(system: RigidBody, orbit: KeplerOrbit | None, times: Array, states: Array) -> dict[str, Any]:
     # vectors along the principal axes are rotated here, with `structure`, once for all
     body = system.as_given(states)
     assert body.attitude is not None or not system.needs_attitude
