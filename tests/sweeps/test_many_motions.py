@@ -11,6 +11,7 @@ from polhode.kinds import many_motions, stepping
 from polhode.kinds.gyrostat.ensemble import NUMBERS as OF_GYROSTATS
 from polhode.kinds.heavy_top.ensemble import NUMBERS as OF_TOPS
 from polhode.reports.answer import plain
+from polhode.rolling.euler_disk.ensemble import NUMBERS as OF_DISKS
 from polhode.spacecraft.rigid_body.ensemble import NUMBERS as OF_BODIES
 from polhode.sweeps.columns import pick, state_part
 from polhode.sweeps.evaluation import Evaluator
@@ -39,7 +40,13 @@ WHEELS = "".join(
 )
 ORBIT = '[orbit]\naltitude = "500 km"\nrelative = true\n'
 CONTROL = '[control]\nlaw = "quaternion-pd"\nbandwidth = "0.8 rad/s"\nby = "wheels"\ntarget = "inertial"\n'
+DISK = '[system]\nkind = "euler-disk"\nmass = "400 g"\nradius = "40 mm"\ntilt = "30 deg"\n'
+ROLLED = 'precession = "60 rad/s"\n'
+THROWN = 'precession = "20 rad/s"\nspin = "1 rad/s"\ntilt_rate = "0.1 rad/s"\n'
+LOSSES = 'thickness = "10 mm"\ndissipation = [{ law = "rolling-couple", arm = "1 mm" }]\n'
+TILTS = '"system.tilt" = { uniform = ["10 deg", "60 deg"] }\n"system.heading" = { uniform = ["0 deg", "90 deg"] }\n'
 STATES = ["states.attitude", "states.momentum", "states.angular_velocity"]
+OF_PARTS = ["states.tilt", "states.contact_x", "states.angular_velocity"]
 OF_WHEEL = ["wheels.1.rate_start", "wheels.1.rate_end", "wheels.1.rate_largest", "wheels.1.torque_largest"]
 OF_CONTROL = [name for name in OF_BODIES if name.startswith("control.")]
 OF_NADIR = ["from_nadir.start", "from_nadir.largest", "torques.1.largest", "torques.1.mean"]
@@ -58,6 +65,13 @@ CASES = {
                 [*OF_ALL_BODIES, *OF_WHEEL, *OF_CONTROL, *STATES]),
     "orbit": (f'{PARTS}{SPIN}[system]\nkind = "rigid-body"\n{ORBIT}[[torque]]\ntype = "gravity-gradient"\n{TIME}', VARIED,
               [*OF_ALL_BODIES, *OF_NADIR, *STATES]),
+    "disk at rest": (f"{DISK}{TIME}", TILTS, [*OF_DISKS, *OF_PARTS]),
+    "disk": (f"{DISK}{ROLLED}{TIME}", TILTS, [*OF_DISKS, "states.tilt"]),
+    "disk, thrown": (f"{DISK}{THROWN}{TIME}", TILTS + '"system.spin" = { uniform = ["0.5 rad/s", "3 rad/s"] }\n',
+                     [*OF_DISKS, *OF_PARTS]),
+    "disk, falling": (f"{DISK}{THROWN}{TIME}", '"system.precession" = { uniform = ["5 rad/s", "30 rad/s"] }\n',
+                      [*OF_DISKS, *OF_PARTS]),
+    "disk, damped": (f"{DISK}{LOSSES}{TIME}", TILTS, [*OF_DISKS, *OF_PARTS]),
 }  # fmt: skip
 
 

@@ -46,6 +46,7 @@ class ManyStarts(NamedTuple):
         view: makes of the trajectory what the kind's answers are taken from, such as a report on all at once.
         until: the last time as the spec gives it [s], or None.
         parts: how many of the times go to one that the spec gives.
+        doubts: (sample,) which need their own reports after all, by the trajectory.
     """
 
     system: AbstractSystem
@@ -55,6 +56,7 @@ class ManyStarts(NamedTuple):
     view: Callable[[Trajectory], Any] = lambda trajectory: trajectory
     until: float | None = None
     parts: int = 1
+    doubts: Callable[[Trajectory], Bool[Array, "sample"]] | None = None
 
 
 Begin = Callable[[ManySpecs], ManyStarts | None]
@@ -106,6 +108,8 @@ def evaluate_motions(
                         values[name] = np.zeros((count, *some.shape[1:]), some.dtype)
                     values[name][rows] = some
             alone[rows[~_are_within(trajectory)]] = True
+            if starts.doubts is not None:
+                alone[rows[starts.doubts(trajectory)]] = True
     return Ensemble(values, {}, alone=np.flatnonzero(alone).tolist(), by_steps=True)
 
 

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import numpy as np
 
 from polhode.errors import InvalidInput
 from polhode.special._legendre import LegendreFunction
@@ -157,6 +158,24 @@ class RollingMechanics(eqx.Module):
         # θ̈ = 0 with ω2 = φ̇ s is linear in ω3
         forced = ((A + m * b * b) * c + m * a * b * s) * s * precession**2 - m * self.gravity * (a * c - b * s)
         return forced / (((C + m * a * a) * s + m * a * b * c) * precession)
+
+
+    def steady_rates(
+        self, theta: Float64[ArrayOrFloat, "*#shape"], precession: Float64[ArrayOrFloat, "*#shape"] | None = None,
+        spin: Float64[ArrayOrFloat, "*#shape"] | None = None,
+    ) -> tuple[Float64[Array, "*shape"], Float64[Array, "*shape"]]:
+        """Return φ̇ and ω3 [rad/s] of steady motions, as far as not given; not finite where there is none.
+
+        Without a precession the centre is at rest.
+        """
+        with np.errstate(invalid="ignore", divide="ignore"):
+            if precession is None:
+                precession = np.sqrt(np.asarray(self.precession_at_rest(theta)))
+                at_rest = precession * np.sin(theta) * float(self.half_thickness) / float(self.radius)
+                spin = at_rest if spin is None else spin
+            elif spin is None:
+                spin = np.asarray(self.steady_spin(theta, precession))
+        return np.asarray(precession), np.asarray(spin)
 
 
 def check_size(name: str, value: float, unit: str, largest: float) -> None:

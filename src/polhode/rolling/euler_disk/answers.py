@@ -32,6 +32,9 @@ from polhode.simulation import simulate
 from polhode.types import Array
 
 
+TURNS = 12  # of the contact, which are sampled densely
+
+
 class StartLimits(NamedTuple):
     """What decides which answers a disk has."""
 
@@ -52,15 +55,14 @@ def make_report(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
         NotConverged: where the dissipation comes to an end before the motion does.
     """
     turn_samples = 125
-    turns = 12  # of the contact, sampled densely
     periods = 10  # of the nutation
     table, times = spec.system, spec.times
-    disk, ideal = _disks(table)
+    disk, ideal = make_disks(table)
     start, steady = _start(table, disk), _steady(table, ideal)
     if table.dissipation and times is None:
         end = _simulate_end(disk, start)
         trajectory = end.trajectory
-        path = last_turns(trajectory, turns, spec.samples)
+        path = last_turns(trajectory, TURNS, spec.samples)
         turn = 2.0 * math.pi / abs(float(disk.precession(start)))
         opening = rolling_path(disk, start, turn, turn_samples)
     else:
@@ -70,7 +72,7 @@ def make_report(spec: Spec[EulerDiskTable]) -> EulerDiskReport:
         # losses end the motion at a time that is not known beforehand
         watch = None if table.dissipation else Watch(spec.until, times)
         trajectory = resample_until_end(simulate(disk, start, times, progress=watch), spec.samples)
-        path = first_turns(trajectory, turns, spec.samples)
+        path = first_turns(trajectory, TURNS, spec.samples)
     by_energy = None if end is None or table.precession is not None else adiabatic_end(disk, table.tilt)
     A, C = float(disk.mechanics.diametral_moment), float(disk.mechanics.axial_moment)
     trajectory = replace(trajectory, frame=BodyFrame(np.array([A, A, C]), np.eye(3), np.zeros(3), table.mass))
@@ -88,7 +90,7 @@ def answers_without_motion(spec: Spec[EulerDiskTable]) -> Iterator[Group | Table
         InvalidInput: for sizes that no disk has, and starts that do not roll or are not steady.
     """
     table = spec.system
-    disk, ideal = _disks(table)
+    disk, ideal = make_disks(table)
     yield from EulerDiskReport(
         table=table, disk=disk, trajectory=WITHOUT_MOTION, begin=_start(table, disk), steady=_steady(table, ideal),
         laws=[], spin_down=None, end_by_energy=None, path=make_placeholder(DiskPath), opening=None,
@@ -96,7 +98,7 @@ def answers_without_motion(spec: Spec[EulerDiskTable]) -> Iterator[Group | Table
     ).without_motion()
 
 
-def _disks(table: EulerDiskTable) -> tuple[EulerDisk, EulerDisk]:
+def make_disks(table: EulerDiskTable) -> tuple[EulerDisk, EulerDisk]:
     """Return the disk with its dissipation, and without it."""
     sizes = (table.mass, table.radius, table.thickness, table.axial_moment, table.diametral_moment, table.gravity)
     disk = EulerDisk(*sizes, dissipation=[law.build() for law in table.dissipation])

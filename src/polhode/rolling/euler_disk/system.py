@@ -353,19 +353,12 @@ class EulerDisk(AbstractSystem):
         """
         self._check_tilt(np.asarray(tilt))
         disk, theta = self.mechanics, jnp.asarray(np.float64(tilt))
-        if precession is None:
-            square = float(disk.precession_at_rest(theta))
-            if not (math.isfinite(square) and square > 0.0):
-                raise InvalidInput(
-                    f"no steady motion has its centre at rest at tilt {shown(tilt)} rad. Give `precession`."
-                )
-            precession = math.sqrt(square)
-            if spin is None:
-                spin = precession * math.sin(tilt) * float(disk.half_thickness) / float(disk.radius)
-        if spin is None:
-            spin = float(disk.steady_spin(theta, jnp.asarray(np.float64(precession))))
-            if not math.isfinite(spin):
-                raise InvalidInput("`spin` must be given where nothing precesses, as in straight rolling.")
+        found = disk.steady_rates(theta, *(None if x is None else jnp.asarray(np.float64(x)) for x in (precession, spin)))
+        if precession is None and not (np.isfinite(found[0]) and found[0] > 0.0):
+            raise InvalidInput(f"no steady motion has its centre at rest at tilt {shown(tilt)} rad. Give `precession`.")
+        precession, spin = map(float, found)
+        if not math.isfinite(spin):
+            raise InvalidInput("`spin` must be given where nothing precesses, as in straight rolling.")
         w2 = precession * math.sin(tilt)
         left = float(disk.tilt_acceleration(theta, jnp.asarray(w2), jnp.asarray(spin)))
         size = float(disk.gravity) / float(disk.radius) + w2 * w2 + spin * spin
