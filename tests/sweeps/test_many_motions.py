@@ -6,8 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from polhode.errors import InvalidInput, NotConverged
+from polhode.errors import NotConverged
 from polhode.kinds import many_motions, stepping
+from polhode.kinds.base import Spec
 from polhode.kinds.gyrostat.ensemble import NUMBERS as OF_GYROSTATS
 from polhode.kinds.heavy_top.ensemble import NUMBERS as OF_TOPS
 from polhode.reports.answer import plain
@@ -33,6 +34,8 @@ TURNS = '"spin.attitude" = { so3 = "uniform" }\n'
 ROTOR = ('[system]\nkind = "gyrostat"\nrotor_axis = [0.0, 0.6, 0.8]\nrotor_moment = "0.02 kg*m^2"\n'
          'rotor_rate = "600 rpm"\n')  # fmt: skip
 TOP = '[system]\nkind = "heavy-top"\npivot = ["0 m", "0 m", "-1 m"]\nlean = "20 deg"\n'
+RIGID = '[system]\nkind = "rigid-body"\n'
+GRAVITY = '[[torque]]\ntype = "gravity-gradient"\n'
 WHEEL = '[[wheel]]\naxis = [0, 0, 1]\nmoment = "0.01 kg*m^2"\nrate = "600 rpm"\n'
 WHEELS = "".join(
     f'[[wheel]]\naxis = {axis}\nmoment = "0.01 kg*m^2"\nmax_torque = "0.05 N*m"\n'
@@ -58,12 +61,12 @@ CASES = {
               [*OF_GYROSTATS, *STATES, "states.rotor_momentum"]),
     "top": (f"{TOP}{PARTS}{LEANING}{TIME}",
             TILT + '"system.lean" = { uniform = ["5 deg", "60 deg"] }\n', [*OF_TOPS, *STATES]),
-    "wheel": (f'{PARTS}{SPIN}[system]\nkind = "rigid-body"\n{WHEEL}{TIME}', VARIED, [*OF_ALL_BODIES, *OF_WHEEL, *STATES]),
-    "held wheel": (f'{BODY}{SPIN}[system]\nkind = "rigid-body"\n{WHEEL}drive = "constant-rate"\n{TIME}', TURNS,
+    "wheel": (f"{PARTS}{SPIN}{RIGID}{WHEEL}{TIME}", VARIED, [*OF_ALL_BODIES, *OF_WHEEL, *STATES]),
+    "held wheel": (f'{BODY}{SPIN}{RIGID}{WHEEL}drive = "constant-rate"\n{TIME}', TURNS,
                    [*OF_ALL_BODIES, *OF_WHEEL, *STATES]),
-    "control": (f'{PARTS}{SPIN}[system]\nkind = "rigid-body"\n{WHEELS}{CONTROL}{TIME}', VARIED,
+    "control": (f"{PARTS}{SPIN}{RIGID}{WHEELS}{CONTROL}{TIME}", VARIED,
                 [*OF_ALL_BODIES, *OF_WHEEL, *OF_CONTROL, *STATES]),
-    "orbit": (f'{PARTS}{SPIN}[system]\nkind = "rigid-body"\n{ORBIT}[[torque]]\ntype = "gravity-gradient"\n{TIME}', VARIED,
+    "orbit": (f"{PARTS}{SPIN}{RIGID}{ORBIT}{GRAVITY}{TIME}", VARIED,
               [*OF_ALL_BODIES, *OF_NADIR, *STATES]),
     "disk at rest": (f"{DISK}{TIME}", TILTS, [*OF_DISKS, *OF_PARTS]),
     "disk": (f"{DISK}{ROLLED}{TIME}", TILTS, [*OF_DISKS, "states.tilt"]),
@@ -79,8 +82,8 @@ def evaluator(tmp_path, case, outputs=None, samples=4, change=lambda text: text)
     tables, varied, usual = CASES[case]
     path, names = tmp_path / "case.toml", usual if outputs is None else outputs
     times = 'times = ["0.5 s", "2 s"]\n' if any(name.startswith("states.") for name in names) else ""
-    text = f"{tables}[sweep]\nseed = 3\nsamples = {samples}\n{times}outputs = {json.dumps(names)}\n[sweep.inputs]\n{varied}"
-    path.write_text(change(text))
+    asked = f"[sweep]\nseed = 3\nsamples = {samples}\n{times}outputs = {json.dumps(names)}\n[sweep.inputs]\n"
+    path.write_text(change(f"{tables}{asked}{varied}"))
     return Evaluator(read_plan(path))
 
 
@@ -94,9 +97,9 @@ def agree(found):
     for k in range(count):
         spec = found.make_spec(inputs, k)
         alone = plain(spec.report().values())
-        motion = replace(spec, until=3.0, samples=len(times) + 1, instants=(0.0, *times)).motion() if times else None
+        sampled = replace(spec, until=3.0, samples=len(times) + 1, instants=(0.0, *times)).motion().trajectory
         for name in found.plan.outputs:
-            value = state_part(name, motion.trajectory, times) if name.startswith("states.") else pick(alone, name)
+            value = state_part(name, sampled, times) if name.startswith("states.") else pick(alone, name)
             if isinstance(value, str):
                 assert chunk[name][k] == value, name
                 continue
@@ -108,3 +111,66 @@ def agree(found):
 @pytest.mark.parametrize("case", CASES)
 def test_as_the_report_on_each(tmp_path, case):
     agree(evaluator(tmp_path, case))
+
+
+@pytest.mark.parametrize("case", ["rotor", "top", "wheel", "disk at rest"])
+def test_a_chunk_is_one_run_without_reports(tmp_path, monkeypatch, case):
+    outputs = [name for name in CASES[case][2] if not name.startswith(("states.", "normal_force"))]
+    found, runs = evaluator(tmp_path, case, outputs, samples=20), []
+    found.chunk(0, 1)
+    simulate = stepping.simulate
+    monkeypatch.setattr(stepping, "simulate", lambda *args, **more: runs.append(args[1]) or simulate(*args, **more))
+    for owner, name in ((Evaluator, "make_spec"), (Spec, "report"), (type(found.plan.kind), "reports")):
+        monkeypatch.setattr(owner, name, lambda *_: pytest.fail("a sample has a report of its own"))
+    assert (found.chunk(0, 20).values["sample_status"] == "done").all()
+    assert [len(state) for state in runs] == [20]
+
+
+@pytest.mark.parametrize(("factor", "alone"), [(0.99, True), (1.01, False)])
+def test_numbers_that_a_report_may_refuse_are_left_to_it(tmp_path, monkeypatch, factor, alone):
+    found, made, make = evaluator(tmp_path, "rotor", ["final.energy"]), [], Evaluator.make_spec
+    usual, motion = found.chunk(0, 1).values, found.make_spec(found.draw_inputs(0, 1), 0).motion().trajectory
+    assert motion.angular_velocity is not None
+    largest = max(np.abs(motion.states).max(), np.abs(motion.angular_velocity).max())
+    monkeypatch.setattr(many_motions, "LIMITS", many_motions.ManyMotionsLimits(factor * largest))
+    monkeypatch.setattr(Evaluator, "make_spec", lambda *args: made.append(args[2]) or make(*args))
+    assert np.allclose(found.chunk(0, 1).values["final.energy"], usual["final.energy"], rtol=ROUNDING)
+    assert bool(made) is alone
+
+
+def test_what_may_not_start_is_refused_by_its_own_report(tmp_path):
+    leans = '"system.lean" = { grid = ["-5 deg", "20 deg", "190 deg"] }'
+    found = evaluator(tmp_path, "top", ["tilt.largest"], samples=1,
+                      change=lambda text: text.replace('"system.lean" = { uniform = ["5 deg", "60 deg"] }', leans))
+    chunk = found.chunk(0, 3)
+    assert chunk.values["sample_status"].tolist() == ["refused", "done", "refused"]
+    assert [k for k, _ in chunk.reasons] == [0, 2] and all("lean" in why for _, why in chunk.reasons)
+
+
+def test_copies_that_do_not_arrive_are_found_among_the_others(tmp_path, monkeypatch):
+    found, simulate, runs = evaluator(tmp_path, "rotor", ["final.energy"], samples=8), stepping.simulate, []
+    usual = found.chunk(0, 8).values["final.energy"]
+    starts = []
+
+    def failing(system, state, times, **more):
+        runs.append(np.asarray(state))
+        starts.append(runs[0][5])
+        if any(np.array_equal(row, starts[0]) for row in np.atleast_2d(state)):
+            raise NotConverged("the sixth does not arrive")
+        return simulate(system, state, times, **more)
+
+    monkeypatch.setattr(stepping, "simulate", failing)
+    chunk = found.chunk(0, 8)
+    assert chunk.values["sample_status"].tolist() == ["done"] * 5 + ["not converged"] + ["done"] * 2
+    assert np.allclose(np.delete(chunk.values["final.energy"], 5), np.delete(usual, 5), rtol=ROUNDING)
+    assert [len(run) for run in runs[:5]] == [8, 4, 4, 2, 1] and chunk.reasons == [(5, "the sixth does not arrive")]
+
+
+@pytest.mark.parametrize(("case", "key"), [
+    ("rotor", '"system.rotor_rate" = { uniform = ["500 rpm", "600 rpm"] }\n'),
+    ("control", TURNS),
+])  # fmt: skip
+def test_samples_of_several_systems_take_reports(tmp_path, case, key):
+    found = evaluator(tmp_path, case, ["momentum_norm" if case == "rotor" else "end.energy"], samples=2,
+                      change=lambda text: text.replace(CASES[case][1], key))
+    assert not found.at_once

@@ -227,14 +227,15 @@ def test_progress_is_told_in_lines_where_nobody_watches(monkeypatch, capsys):
     assert len(told) == 1 and told[0].startswith("400 of 1,000 samples, ") and told[0].endswith(" left")
 
 
-@pytest.mark.parametrize("at_once", [True, False])
-def test_chunks_double_where_they_would_be_too_many(at_once):
-    least, most = (65536, 2**20) if at_once else (64, 1024)
+@pytest.mark.parametrize(("at_once", "by_steps", "least", "most"), [
+    (True, False, 65536, 2**20), (True, True, 1024, 2**14), (False, False, 64, 1024),
+])  # fmt: skip
+def test_chunks_double_where_they_would_be_too_many(at_once, by_steps, least, most):
     full = least * LIMITS.many_chunks
-    assert choose_chunk(12, at_once) == 12
-    assert choose_chunk(full, at_once) == least and choose_chunk(full + 1, at_once) == 2 * least
+    assert choose_chunk(12, at_once, by_steps) == 12
+    assert choose_chunk(full, at_once, by_steps) == least and choose_chunk(full + 1, at_once, by_steps) == 2 * least
     for samples in (10**5, 10**7, full + 1, 7 * full, 10**9):
-        chunk = choose_chunk(samples, at_once)
+        chunk = choose_chunk(samples, at_once, by_steps)
         assert chunk == most or samples / chunk <= LIMITS.many_chunks
         assert chunk == least or samples / (chunk / 2) > LIMITS.many_chunks
-    assert choose_chunk(10**10, at_once) == most
+    assert choose_chunk(10**10, at_once, by_steps) == most

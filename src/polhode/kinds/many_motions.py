@@ -70,8 +70,13 @@ def norms(vectors: Float64[Array, "*batch 3"]) -> Float64[Array, "*batch"]:
 
 
 def varies_start_alone(samples: ManySpecs, keys: Sequence[str] = ()) -> bool:
-    """Whether samples differ by [spin], or by these keys, at times that the spec gives."""
-    return samples.spec.times is not None and all(key.startswith("spin.") or key in keys for key in samples.varied)
+    """Whether samples differ by [spin], or by these keys, alone."""
+    return all(key.startswith("spin.") or key in keys for key in samples.varied)
+
+
+def finite_rows(states: Float64[Array, "sample state"]) -> Bool[Array, "sample"]:
+    """Return which of many states are finite."""
+    return np.asarray(np.isfinite(states).all(axis=-1))
 
 
 def evaluate_motions(
@@ -101,15 +106,16 @@ def evaluate_motions(
         alone |= starts.doubtful
         for rows, trajectory in _follow(starts, alone):
             with np.errstate(all="ignore"):
-                view = starts.view(trajectory)
-                for name in asked:
-                    some = _take_part(trajectory, name, starts.parts) if name in parts else np.asarray(answers[name](view))
-                    if name not in values:
-                        values[name] = np.zeros((count, *some.shape[1:]), some.dtype)
-                    values[name][rows] = some
-            alone[rows[~_are_within(trajectory)]] = True
-            if starts.doubts is not None:
-                alone[rows[starts.doubts(trajectory)]] = True
+                some = _take_parts(trajectory, asked, starts.parts) if asked is parts else (
+                    _take_answers(starts.view(trajectory), asked, answers))
+                alone[rows[~_are_within(trajectory)]] = True
+                if starts.doubts is not None:
+                    alone[rows[starts.doubts(trajectory)]] = True
+            for name, found in some.items():
+                if name not in values:
+                    values[name] = np.zeros((count, *found.shape[1:]), object if found.dtype.kind == "U" else float)
+                values[name][rows] = found
+    values = {name: found.astype(str) if found.dtype == object else found for name, found in values.items()}
     return Ensemble(values, {}, alone=np.flatnonzero(alone).tolist(), by_steps=True)
 
 
@@ -127,14 +133,21 @@ def _sampled_at(samples: ManySpecs, times: Any) -> ManySpecs:
     return samples._replace(spec=spec)
 
 
-def _take_part(trajectory: Trajectory, name: str, parts: int) -> Array:
-    """Return a part of the states (sample, time, …) after the start, NaN where a copy has ended before."""
-    layout, part = trajectory.layout, name.removeprefix(STATES)
-    values = layout.part(trajectory.states, part) if part in layout.names else getattr(trajectory, part)
-    values = np.array(values, dtype=float)
-    if (beyond := beyond_end(trajectory)) is not None:
-        values[beyond] = np.nan
-    return values[:, parts::parts]
+def _take_answers(view: Any, names: Sequence[str], answers: AnswersOfMany) -> dict[str, Array]:
+    return {name: np.asarray(answers[name](view)) for name in names}
+
+
+def _take_parts(trajectory: Trajectory, names: Sequence[str], every: int) -> dict[str, Array]:
+    """Return parts of the states (sample, time, …) after the start, NaN where a copy has ended before."""
+    layout, beyond, found = trajectory.layout, beyond_end(trajectory), {}
+    for name in names:
+        part = name.removeprefix(STATES)
+        values = layout.part(trajectory.states, part) if part in layout.names else getattr(trajectory, part)
+        values = np.array(values, dtype=float)
+        if beyond is not None:
+            values[beyond] = np.nan
+        found[name] = values[:, every::every]
+    return found
 
 
 def _follow(starts: ManyStarts, alone: Bool[Array, "sample"]) -> Iterator[tuple[Array, Trajectory]]:

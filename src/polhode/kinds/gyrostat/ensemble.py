@@ -11,7 +11,7 @@ import numpy as np
 from polhode.kinds.ensembles import Ensemble, ManySpecs, vary_table
 from polhode.kinds.gyrostat.answers import GyrostatReport
 from polhode.kinds.gyrostat.build import build, make_system, pack_start
-from polhode.kinds.many_motions import ManyStarts, evaluate_motions, norms, varies_start_alone
+from polhode.kinds.many_motions import ManyStarts, evaluate_motions, finite_rows, norms, varies_start_alone
 
 
 def _leans(report: GyrostatReport) -> Any:
@@ -42,16 +42,16 @@ def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> E
 
 def _begin(samples: ManySpecs) -> ManyStarts | None:
     """Return the motions before they begin; None of samples that are not of one system."""
-    spec, count = samples.spec, samples.size
+    spec, count, times = samples.spec, samples.size, samples.spec.times
     table, one = spec.system, build(spec)
     free_alone = one.free and table.motor_torque is None  # whose momentum, part of the system, varies with the spin
     coning = spec.spin is not None and spec.spin.is_of_a_cone
-    if free_alone or coning or table.step is not None or not varies_start_alone(samples):
+    if times is None or free_alone or coning or table.step is not None or not varies_start_alone(samples):
         return None
     assembly = build(replace(spec, spin=vary_table(spec.spin, "spin", samples.varied, count)))
     states = np.broadcast_to(packed := pack_start(table, assembly), (count, packed.shape[-1]))
-    doubtful = ~np.isfinite(states).all(axis=-1)
+    doubtful = ~finite_rows(states)
     return ManyStarts(
-        make_system(table, one), states, spec.times, doubtful,
+        make_system(table, one), states, times, doubtful,
         lambda trajectory: GyrostatReport(spec, table, one, trajectory), spec.until,
     )

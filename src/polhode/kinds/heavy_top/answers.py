@@ -52,7 +52,7 @@ def begin_motion(spec: Spec[HeavyTopTable]) -> Start:
     assert body is not None
     top = build_top(body, table.pivot, table.gravity)
     momentum, attitude = _start(spec, top)
-    state = pack_start(top, momentum, attitude)
+    state = pack_start(momentum, attitude)
     if times is None:
         times = usual_times(None, top, momentum, spec.samples)
 
@@ -103,12 +103,13 @@ def _start(spec: Spec[HeavyTopTable], top: HeavyTop) -> tuple[Float64[Array, "3"
 
 
 def pack_start(
-    top: HeavyTop, momentum: Float64[Array, "*#batch 3"], attitude: Float64[Array, "*#batch 4"]
+    momentum: Float64[Array, "*#batch 3"], attitude: Float64[Array, "*#batch 4"]
 ) -> Float64[Array, "*batch 10"]:
     """Return packed states (…, 10) from momenta (…, 3) along, and attitudes (…, 4) of, the principal axes."""
-    axes = np.asarray(top.axes)
-    given = (momentum[..., None, :] @ axes.T)[..., 0, :]  # with the same bits of one as of many
-    return top.pack(rotation.multiply(attitude, rotation.conjugate(rotation.from_matrix(axes))), momentum=given)
+    unit = rotation.normalize(attitude)
+    up = rotation.rotate(rotation.conjugate(unit), np.array([0.0, 0.0, 1.0]))
+    shape = np.broadcast_shapes(momentum.shape[:-1], unit.shape[:-1])
+    return np.concatenate([np.broadcast_to(part, (*shape, part.shape[-1])) for part in (unit, momentum, up)], axis=-1)
 
 
 def _remedy(spec: Spec[HeavyTopTable]) -> str:

@@ -60,14 +60,15 @@ def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> E
 
 def _begin(samples: ManySpecs) -> ManyStarts | None:
     """Return the motions before they begin; None of samples that are not of one system."""
-    spec, table, body = samples.spec, samples.spec.system, samples.spec.body
-    if table.step is not None or table.order is not None or not varies_start_alone(samples, ("system.lean",)):
+    spec, table, body, times = samples.spec, samples.spec.system, samples.spec.body, samples.spec.times
+    by_given_steps = table.step is not None or table.order is not None
+    if times is None or by_given_steps or not varies_start_alone(samples, ("system.lean",)):
         return None
-    assert body is not None and spec.times is not None
+    assert body is not None
     top = build_top(body, table.pivot, table.gravity)
     if float(top.mgl) == 0.0:
         return None
     starts = start_together(samples, top)
     momentum, attitude = (np.array(part) for part in (starts.momentum, starts.attitude))
     momentum[starts.doubtful], attitude[starts.doubtful] = 0.0, [1.0, 0.0, 0.0, 0.0]
-    return ManyStarts(top, pack_start(top, momentum, attitude), spec.times, starts.doubtful, until=spec.until)
+    return ManyStarts(top, pack_start(momentum, attitude), times, starts.doubtful, until=spec.until)

@@ -31,7 +31,6 @@ from polhode.rolling.euler_disk.turns import DiskPath, first_turns, last_turns, 
 from polhode.simulation import simulate
 from polhode.types import Array
 
-
 TURNS = 12  # of the contact, which are sampled densely
 
 

@@ -123,8 +123,8 @@ def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> E
 
 def _begin(samples: ManySpecs, forces: bool) -> ManyStarts | None:
     """Return the motions before they begin; None of samples that are not of one system."""
-    spec, table = samples.spec, samples.spec.system
-    if table.center_velocity is not None or not varies_start_alone(samples, OF_START):
+    spec, table, times = samples.spec, samples.spec.system, samples.spec.times
+    if times is None or table.center_velocity is not None or not varies_start_alone(samples, OF_START):
         return None
     disk, _ = make_disks(table)
     states, doubtful = start_disks(disk, vary_table(table, "system", samples.varied, samples.size), samples.size)
@@ -133,7 +133,7 @@ def _begin(samples: ManySpecs, forces: bool) -> ManyStarts | None:
         return RollingDisks(trajectory, spec.samples).need_closer_samples()
 
     return ManyStarts(
-        disk, states, spec.times, doubtful, lambda trajectory: RollingDisks(trajectory, spec.samples), spec.until,
+        disk, states, times, doubtful, lambda trajectory: RollingDisks(trajectory, spec.samples), spec.until,
         doubts=doubts if forces else None,
     )
 
@@ -150,7 +150,7 @@ def start_disks(
     """
     each = lambda value: np.array(np.broadcast_to(value, count), dtype=float)  # noqa: E731
     theta, mechanics = each(table.tilt), disk.mechanics
-    given = [None if rate is None else each(rate) for rate in (table.precession, table.spin)]
+    given: list[Any] = [None if rate is None else each(rate) for rate in (table.precession, table.spin)]
     with np.errstate(all="ignore"):
         if table.tilt_rate is None:
             precession, spin = mechanics.steady_rates(theta, *given)
@@ -160,11 +160,12 @@ def start_disks(
             doubtful = ~(np.abs(left) <= LIMITS.relative_tilt_acceleration * size)
             rate = np.zeros(count)
             if disk.dissipation:
-                push, square = map(np.asarray, _slow_pushes(disk, theta, rise, spin))
-                rate, doubtful = push / square, doubtful | ~(square > 0.0)
+                # two at least, as XLA compiles one alone with other last bits
+                push, square = map(np.asarray, _slow_pushes(disk, *(np.resize(x, max(2, count)) for x in (
+                    theta, rise, spin))))  # fmt: skip
+                rate, doubtful = (push / square)[:count], doubtful | ~(square > 0.0)[:count]
         else:
-            assert given[0] is not None and given[1] is not None, "a tilt rate goes with both"
-            (precession, spin), rate = given, each(table.tilt_rate)
+            (precession, spin), rate = given, each(table.tilt_rate)  # with which both rates go
             rise, doubtful = precession * np.sin(theta), np.zeros(count, bool)
         zero = np.zeros(count)
         states = np.stack([theta, each(table.heading), zero, zero, zero, rate, rise, spin], axis=-1)

@@ -353,7 +353,8 @@ class EulerDisk(AbstractSystem):
         """
         self._check_tilt(np.asarray(tilt))
         disk, theta = self.mechanics, jnp.asarray(np.float64(tilt))
-        found = disk.steady_rates(theta, *(None if x is None else jnp.asarray(np.float64(x)) for x in (precession, spin)))
+        given = [None if rate is None else np.float64(rate) for rate in (precession, spin)]
+        found = disk.steady_rates(theta, *given)
         if precession is None and not (np.isfinite(found[0]) and found[0] > 0.0):
             raise InvalidInput(f"no steady motion has its centre at rest at tilt {shown(tilt)} rad. Give `precession`.")
         precession, spin = map(float, found)

@@ -11,7 +11,14 @@ import numpy as np
 from polhode import rotation
 from polhode.kinds.base import Spec
 from polhode.kinds.ensembles import Ensemble, ManySpecs, vary_table
-from polhode.kinds.many_motions import AnswersOfMany, ManyStarts, evaluate_motions, norms, varies_start_alone
+from polhode.kinds.many_motions import (
+    AnswersOfMany,
+    ManyStarts,
+    evaluate_motions,
+    finite_rows,
+    norms,
+    varies_start_alone,
+)
 from polhode.motion._trajectory import Trajectory
 from polhode.spacecraft.rigid_body.answers import WITHIN, choose_times
 from polhode.spacecraft.rigid_body.build import Craft, build
@@ -73,6 +80,12 @@ class RigidBodies:
         return self.history.pointing
 
     @property
+    def from_nadir(self) -> Float64[Array, "sample time"]:
+        """Angle of the given axes from those that look down [rad]."""
+        assert self.history.from_nadir is not None, "asked for on an orbit alone"
+        return self.history.from_nadir
+
+    @property
     def late_pointing(self) -> Float64[Array, "sample"]:
         """The largest pointing error in the last tenth [rad]."""
         late = self.times >= self.times[0] + 0.9 * np.ptp(self.times)
@@ -130,8 +143,8 @@ NUMBERS: dict[str, Callable[[RigidBodies], Any]] = {
     "end.time": lambda bodies: np.full(len(bodies.history.velocity), bodies.times[-1]),
     "end.attitude": lambda bodies: bodies.given_attitude,
     "work": lambda bodies: bodies.work,
-    "from_nadir.start": lambda bodies: bodies.history.from_nadir[:, 0],
-    "from_nadir.largest": lambda bodies: bodies.history.from_nadir.max(axis=-1),
+    "from_nadir.start": lambda bodies: bodies.from_nadir[:, 0],
+    "from_nadir.largest": lambda bodies: bodies.from_nadir.max(axis=-1),
     "control.limits": lambda bodies: bodies.limits,
     "control.load": lambda bodies: np.where(bodies.limits == "none", np.nan, bodies.history.load.max(axis=-1)),
     "control.pointing_error.start": lambda bodies: bodies.pointing[:, 0],
@@ -154,9 +167,9 @@ def evaluate_ensemble(samples: ManySpecs, names: Sequence[str], times: Any) -> E
 
 def _begin(samples: ManySpecs) -> ManyStarts | None:
     """Return the motions before they begin; None of samples that are not of one system."""
-    spec, count = samples.spec, samples.size
+    spec, count, times = samples.spec, samples.size, samples.spec.times
     coning = spec.spin is not None and spec.spin.is_of_a_cone
-    if coning or not varies_start_alone(samples):
+    if times is None or coning or not varies_start_alone(samples):
         return None
     craft = build(spec)
     starts_anew = craft.law is not None and type(craft.law).started is not AbstractControlLaw.started
@@ -165,10 +178,10 @@ def _begin(samples: ManySpecs) -> ManyStarts | None:
     spins = replace(spec, spin=vary_table(spec.spin, "spin", samples.varied, count))
     packed = craft.pack_starts(spins)
     states = np.broadcast_to(packed, (count, packed.shape[-1]))
-    times, parts = choose_times(craft, spec.times)
+    times, parts = choose_times(craft, times)
 
     def view(trajectory: Trajectory) -> RigidBodies:
         history = follow(craft.system, craft.orbit, trajectory.times, trajectory.states)
         return RigidBodies(spec, craft, trajectory, history.thin(parts), parts)
 
-    return ManyStarts(craft.system, states, times, ~np.isfinite(states).all(axis=-1), view, spec.until, parts)
+    return ManyStarts(craft.system, states, times, ~finite_rows(states), view, spec.until, parts)
