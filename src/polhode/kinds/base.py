@@ -390,8 +390,11 @@ class Spec(Generic[TableT]):
 
     def start(
         self, moments: Float64[Array, "3"], axes: Float64[Array, "3 3"]
-    ) -> tuple[Float64[Array, "3"], Float64[Array, "4"]]:
-        """Return momentum (3,) along, and attitude (4,) of, principal axes by columns in the given ones."""
+    ) -> tuple[Float64[Array, "*spin 3"], Float64[Array, "*turn 4"]]:
+        """Return momentum (…, 3) along, and attitude (…, 4) of, principal axes by columns in the given ones.
+
+        Of many starts, where numbers of ``spin`` are arrays.
+        """
         if self.spin is not None and self.spin.is_of_a_cone and self.system.cones:
             return build_coning(self.spin, moments, axes)
         return build_spin(self.spin, moments, axes)
