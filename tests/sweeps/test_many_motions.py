@@ -174,3 +174,13 @@ def test_samples_of_several_systems_take_reports(tmp_path, case, key):
     found = evaluator(tmp_path, case, ["momentum_norm" if case == "rotor" else "end.energy"], samples=2,
                       change=lambda text: text.replace(CASES[case][1], key))
     assert not found.at_once
+
+
+@pytest.mark.parametrize(("factor", "sizes"), [(0.99, [2, 2]), (1.01, [3, 1])])
+def test_samples_kept_at_once_have_room(tmp_path, monkeypatch, factor, sizes):
+    found, runs, simulate = evaluator(tmp_path, "rotor", ["final.energy"]), [], stepping.simulate
+    usual, numbers = found.chunk(0, 4).values["final.energy"], 40 * 7  # of samples and components of one motion
+    monkeypatch.setattr(many_motions, "STEPPING", stepping.SteppingLimits(max_numbers=factor * 3 * numbers))
+    monkeypatch.setattr(stepping, "simulate", lambda *args, **more: runs.append(args[1]) or simulate(*args, **more))
+    assert np.array_equal(found.chunk(0, 4).values["final.energy"], usual)
+    assert [len(state) for state in runs] == sizes
