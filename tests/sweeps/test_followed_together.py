@@ -8,8 +8,10 @@ import pytest
 
 from polhode.errors import InvalidInput, NotConverged
 from polhode.kinds import stepping
+from polhode.kinds.base import Spec
 from polhode.reports.answer import plain
 from polhode.reports.base import MotionReport
+from polhode.sweeps import evaluation
 from polhode.sweeps.columns import pick
 from polhode.sweeps.evaluation import Evaluator
 from polhode.sweeps.plan import read_plan
@@ -162,7 +164,7 @@ outputs = [OUTPUT]
 
 
 @pytest.mark.filterwarnings("ignore:.*beyond double precision")
-@pytest.mark.parametrize("output", ["momentum_norm", "final.angular_velocity"])
+@pytest.mark.parametrize("output", ["momentum_norm", "final.angular_velocity", "rotor.momentum"])
 def test_a_sample_whose_own_report_is_refused_is_refused(tmp_path, output):
     path = tmp_path / "huge.toml"
     path.write_text(HUGE.replace("OUTPUT", f'"{output}"'))
@@ -177,6 +179,16 @@ def test_a_sample_whose_own_report_is_refused_is_refused(tmp_path, output):
         said.append((k, str(refusal.value)))
     assert chunk.values["sample_status"].tolist() == ["done", "done", "refused", "refused"]
     assert chunk.reasons == said
+
+
+@pytest.mark.parametrize(("usual", "whole"), [(62.0, 4), (63.0, 0)])  # 600 rpm are 62.8 rad/s
+def test_unusual_numbers_take_the_whole_report(tmp_path, monkeypatch, usual, whole):
+    found, made, report = evaluator(tmp_path, "gyrostat"), [], Spec.report
+    found.chunk(0, 1)
+    monkeypatch.setattr(evaluation, "LIMITS", evaluation.LIMITS._replace(usual_size=usual))
+    monkeypatch.setattr(Spec, "report", lambda spec: made.append(spec) or report(spec))
+    assert (found.chunk(0, 4).values["sample_status"] == "done").all()
+    assert len(made) == whole
 
 
 def test_an_infinite_answer_that_no_sentence_says_is_undefined(tmp_path, monkeypatch):

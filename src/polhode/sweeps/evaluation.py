@@ -18,6 +18,7 @@ from polhode.motion._trajectory import Trajectory
 from polhode.reports.answer import Group, Table, collect_values, plain
 from polhode.reports.base import SystemReport
 from polhode.spec.keys import with_value, write_quantity
+from polhode.spec.reach import beyond_reach
 from polhode.sweeps.bodies import vary_body
 from polhode.sweeps.columns import LIMITS as COLUMNS
 from polhode.sweeps.columns import (
@@ -44,10 +45,13 @@ class EvaluationThresholds(NamedTuple):
     Attributes:
         probes: samples that are tried for the types of the outputs.
         spread_probes: further ones, from all over the sweep, of which one must have a motion.
+        usual_size: of numbers of a spec in SI, and one over the smallest, beyond which a sample's whole report is made,
+            as it may refuse what no output shows; products of six numbers within stay in the range of doubles.
     """
 
     probes: int = 16
     spread_probes: int = 256
+    usual_size: float = 1e50
 
 
 LIMITS = EvaluationThresholds()
@@ -266,6 +270,8 @@ class Evaluator:
                 refused[k] = str(error)
         for (k, spec), report in zip(specs.items(), self._reports(list(specs.values())), strict=True):
             try:
+                if _is_extreme(spec):
+                    spec.report()
                 answers, _ = self._answers(spec, report)
                 trajectory = self._trajectory(spec) if self.plan.states else None
                 for column in self.columns:
@@ -338,6 +344,12 @@ def _take_until(wanted: Sequence[str], answers: Iterable[Group | Table]) -> Foun
         if all(has_answer(values, name) for name in wanted):
             return Found(values, groups)
     return None
+
+
+def _is_extreme(spec: Spec) -> bool:
+    """Whether a number of the spec is of so unusual a size that its report may be refused for what follows from it."""
+    tables = {"system": spec.system, "body": spec.source, "spin": spec.spin, "until": spec.until}
+    return next(beyond_reach(tables, (), LIMITS.usual_size), None) is not None
 
 
 def _are_finite(found: Found) -> bool:
