@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from scipy.special import gammaln, sph_harm_y
+from scipy.special import gammaln, sph_harm_y_all
 
 from polhode._base import check
 from polhode._base.arrays import known_numbers_only, require_doubles
@@ -103,11 +103,10 @@ def sum_harmonics(coefficients: Array, colatitude: Array, azimuth: Array) -> Com
         colatitude, azimuth: [rad].
     """
     count = len(coefficients)
-    total = np.zeros(np.broadcast_shapes(colatitude.shape, azimuth.shape), complex)
-    for q in range(1 - count, count):
-        column = coefficients[:, count - 1 + q]
-        ks = np.flatnonzero(column)
-        if len(ks):
-            along = sum(column[k] * sph_harm_y(k, q, colatitude, 0.0) for k in ks)
-            total = total + along * np.exp(1j * q * azimuth)
-    return total
+    orders = np.concatenate([np.arange(count), np.arange(1 - count, 0)])  # as SciPy lists them
+    harmonics = sph_harm_y_all(count - 1, count - 1, colatitude, 0.0)
+    along = np.einsum("kq,kq...->...q", coefficients[:, count - 1 + orders], harmonics)
+    around = np.exp(1j * np.multiply.outer(azimuth, orders))
+    if along.ndim == 3 and along.shape[1] == around.shape[0] == 1:
+        return along[:, 0] @ around[0].T
+    return (along * around).sum(axis=-1)

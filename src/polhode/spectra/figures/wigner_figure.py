@@ -149,19 +149,37 @@ def _choose_levels(above: Array) -> list[int]:
 
 
 def _draw(panel: Any, values: Array, side: float, largest: float) -> None:
-    polar, azimuth = np.linspace(0.0, 0.5 * math.pi, values.shape[0]), np.linspace(0.0, 2.0 * math.pi, values.shape[1])
-    out = 2.0 * np.sin(0.5 * polar)[:, None]
-    across, up = side * out * np.cos(azimuth), out * np.sin(azimuth)
-    panel.pcolormesh(across, up, values, cmap=COLOURS, vmin=-largest, vmax=largest, shading="gouraud",
-                     rasterized=True)
+    edge = math.sqrt(2.0)  # of the map of a hemisphere
+    picture = panel.imshow(_on_pixels(values, side), cmap=COLOURS, vmin=-largest, vmax=largest, origin="lower",
+                           extent=(-edge, edge, -edge, edge))
     around = np.linspace(0.0, 2.0 * math.pi, 200)
-    panel.plot(math.sqrt(2.0) * np.cos(around), math.sqrt(2.0) * np.sin(around), color=style.GREY, lw=0.6)
+    border, = panel.plot(edge * np.cos(around), edge * np.sin(around), color=style.GREY, lw=0.6)
+    picture.set_clip_path(border.get_path(), panel.transData)
     panel.text(side * 1.5, 0.0, "$c$", fontsize=style.FONT - 2, ha="left" if side > 0.0 else "right", va="center")
     panel.text(0.0, 1.5, "$a$", fontsize=style.FONT - 2, ha="center", va="bottom")
     panel.set_aspect("equal")
     panel.set_xlim(-1.72, 1.72)
     panel.set_ylim(-1.6, 1.72)
     panel.set_axis_off()
+
+
+def _on_pixels(values: Array, side: float) -> Float64[Array, "pixels pixels"]:
+    """Return values of `wigner_on_side` at the pixels of an equal-area map, rows from below.
+
+    They are interpolated linearly, as matplotlib does within triangles, of which it would draw a hundred thousand.
+    Beyond the hemisphere's edge they are those at the edge.
+    """
+    pixels = 360  # across the map, more than are printed
+    across = math.sqrt(2.0) * (np.arange(pixels) + 0.5 - 0.5 * pixels) / (0.5 * pixels)
+    x, y = side * across[None, :], across[:, None]
+    rows, columns = values.shape[0] - 1, values.shape[1] - 1
+    polar = 2.0 * np.arcsin(np.minimum(0.5 * np.hypot(x, y), math.sqrt(0.5)))
+    row, column = (polar * (rows / (0.5 * math.pi)),
+                   np.remainder(np.arctan2(y, x), 2.0 * math.pi) * (columns / (2.0 * math.pi)))
+    i, k = np.minimum(row.astype(int), rows - 1), np.minimum(column.astype(int), columns - 1)
+    u, v = row - i, column - k
+    inner, outer = (values[n, k] * (1.0 - v) + values[n, k + 1] * v for n in (i, i + 1))
+    return inner * (1.0 - u) + outer * u
 
 
 def _draw_energy(panel: Any, rotor: Rotor, height: float) -> None:
