@@ -55,10 +55,22 @@ def of_arrays(field, start, t=0.4):
 @pytest.mark.parametrize("orders", ["a loop", "written out"])
 def test_coefficients_are_those_of_power_series(orders, name, monkeypatch):
     if orders == "written out":
-        monkeypatch.setattr(array_series, "LIMITS", array_series.LIMITS._replace(min_optimized_size=0))
+        given = array_series.LIMITS._replace(min_optimized_size=0, min_written_size=0)
+        monkeypatch.setattr(array_series, "LIMITS", given)
     field, other = FIELDS[name]
     wanted = by_flint(other, START, 0.4, ORDER)
     assert np.abs(of_arrays(field, START) / wanted - 1.0).max() < 300.0 * EPS
+
+
+@pytest.mark.parametrize(("size", "way"), [(2047, "_loop_thoroughly"), (2048, "_written_out")])
+def test_orders_are_written_out_for_large_states_only(size, way, monkeypatch):
+    """Writing them out takes XLA seconds, and makes steps of large matrices twice as quick."""
+    def refuse(system, state, *others):
+        raise AssertionError(way)
+
+    monkeypatch.setattr(array_series, way, refuse)
+    with pytest.raises(AssertionError, match=way):
+        coefficients(OwnField(lambda t, y: -y), np.ones(size), np.float64(0.0), np.float64(1.0), 4)
 
 
 def test_powers_of_zero_are_products():
@@ -146,7 +158,8 @@ def bump(t, y):
 def test_steps_end_before_hidden_changes(orders, monkeypatch):
     """A bump far ahead, whose coefficients cannot be seen, and a root whose argument has a double zero; see there."""
     if orders == "written out":
-        monkeypatch.setattr(array_series, "LIMITS", array_series.LIMITS._replace(min_optimized_size=0))
+        given = array_series.LIMITS._replace(min_optimized_size=0, min_written_size=0)
+        monkeypatch.setattr(array_series, "LIMITS", given)
     by = choose_precision(None)
     seen = run_arrays(OwnField(bump), np.zeros(2), np.array([0.0, 100.0]), by.order, by.reach)
     assert seen.states[-1, 1] == pytest.approx(2.0 * np.sqrt(np.pi), rel=1e-13)
