@@ -76,6 +76,16 @@ def test_other_kinds_load_what_they_need(tmp_path, example):
     assert too_much(example, load(example, tmp_path)) == []
 
 
+def test_motions_by_series_load_no_diffrax():
+    """It takes a tenth of a first report; a heavy top has a method of ours, whose name the plan says."""
+    code = ("import sys, polhode as ph; top = ph.systems.HeavyTop((1.0, 2.0, 3.0), 1.0, (0.0, 0.0, 1.0)); "
+            "motion = ph.simulate(top, (0.3, 1.0, 0.2, 0.0, 0.6, 0.8), [0.0, 1.0]); "
+            "assert 'Splitting' in str(motion.plan); "
+            "print(sorted({'diffrax', 'optimistix', 'lineax', 'matplotlib'} & set(sys.modules)))")
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
 @pytest.mark.long
 def test_what_is_loaded_besides_is_seen(tmp_path):
     """A report that imports one more wing, kind or system fails the tests above."""

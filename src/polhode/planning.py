@@ -13,7 +13,7 @@ import operator
 import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -26,7 +26,7 @@ from polhode._base.kept import kept_of_object
 from polhode.errors import InvalidInput, shown
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators._adaptive import TOLERANCE, check_events
-from polhode.integrators._choice import choose_solver, class_for, is_adaptive, step_angle, turning_rates
+from polhode.integrators._choice import choose_solver, is_adaptive, name_class_for, step_angle, turning_rates
 from polhode.integrators._difference import EPS
 from polhode.integrators._series import Taylor, find_obstacle, goes_by_arrays, has_short_series, is_series
 from polhode.integrators.probing import find_undeclared_jumps, name_jumps
@@ -38,7 +38,10 @@ from polhode.systems.base import AbstractLiePoissonSystem, AbstractSystem
 from polhode.taylor.runs import choose_precision
 from polhode.types import Array, ArrayLike, ArrayOrFloat, Bool, Float64, Real
 
-Method = type[integrators.AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver[Any] | Taylor | None
+if TYPE_CHECKING:
+    Method = type[integrators.AbstractOrbitSolver | Taylor] | diffrax.AbstractSolver[Any] | Taylor | None
+else:  # naming the classes would import diffrax, which series do without
+    Method = Any
 ASKED = "as asked"
 NUMBERS, ARRAYS, XLA = "on single numbers", "on whole arrays", "compiled by XLA"  # what computes a step
 
@@ -279,7 +282,7 @@ def _prepare_by_series(
 @kept_of_object
 def _name_of_other(system: AbstractSystem) -> str:
     if isinstance(system, AbstractLiePoissonSystem) and moves_by_generator(system):
-        return class_for(system).__name__
+        return name_class_for(system)
     return "Dopri8"
 
 

@@ -21,14 +21,8 @@ import numpy as np
 
 from polhode.errors import NotConverged
 from polhode.integrators._difference import EPS, LARGE, LUCK, TWO_PLACES, difference, starts_a_rounding_away
-from polhode.integrators._equal_steps import (
-    Run,
-    inner_windows,
-    run_by_equal_steps,
-    run_through_windows,
-    split_into_windows,
-    step_counts,
-)
+from polhode.integrators._equal_steps import Run, run_by_equal_steps, run_through_windows, step_counts
+from polhode.integrators._windows import inner_windows, split_into_windows
 from polhode.integrators.base import AbstractOrbitSolver, Memory
 from polhode.integrators.probing import depends_on_time, jumps_between
 from polhode.systems.base import AbstractLiePoissonSystem

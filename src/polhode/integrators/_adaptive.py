@@ -23,7 +23,6 @@ from polhode.errors import InvalidInput, NotConverged
 from polhode.integrators import _diffrax as diffrax
 from polhode.integrators import _embedded as embedded
 from polhode.integrators._difference import EPS, LARGE, TWO_PLACES, difference, starts_a_rounding_away
-from polhode.integrators._equal_steps import inner_windows, split_into_windows
 from polhode.integrators._interrupts import keep_interrupts
 from polhode.integrators._sampled import (
     MOST_STEPS,
@@ -36,6 +35,7 @@ from polhode.integrators._sampled import (
     unscale_run,
     with_jumps,
 )
+from polhode.integrators._windows import inner_windows, split_into_windows
 from polhode.integrators.probing import depends_on_time, jumps_between
 from polhode.motion._outcome import Ends, Status
 from polhode.systems._forms import distances

@@ -122,8 +122,13 @@ def orbit_solver(system: AbstractLiePoissonSystem, method: Any, order: int | Non
 
 def class_for(system: AbstractLiePoissonSystem) -> Any:
     """Return the class of methods that goes with a system."""
+    return getattr(integrators, name_class_for(system))
+
+
+def name_class_for(system: AbstractLiePoissonSystem) -> str:
+    """Return the name of ``class_for``, without importing it and diffrax."""
     if system.flows:
-        return integrators.Splitting
+        return "Splitting"
     algebra = system.algebra
     of_spins = algebra.is_of_spins and len(algebra.element_shape) > 1
-    return integrators.SphericalMidpoint if of_spins else integrators.LieMidpoint
+    return "SphericalMidpoint" if of_spins else "LieMidpoint"
