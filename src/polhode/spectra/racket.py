@@ -118,14 +118,14 @@ class Racket:
         a, c = (side, 0.0) if self.towards == "a" else (0.0, side)
         return np.array([a, math.cos(self.tilt), c])
 
-    @property
+    @cached_property
     def period(self) -> float:
         """Of classical L from this start, round its polhode [s]; infinite on the b axis."""
         if self._on_saddle:
             return math.inf
         return float(orbit(self.constants, self._G, np.array(self._energy)).period) / (2.0 * math.pi)
 
-    @property
+    @cached_property
     def revival_time(self) -> float | None:
         """T_rev = 2/|d²ν/dn²| [s], ν = E/h over the quanta n of one ladder; None on the b axis, where levels bunch.
 
@@ -179,7 +179,7 @@ class Racket:
             states[:, np.round(self.J - chain.K).astype(int)] = (phases * chain.weights) @ chain.vectors.T
         return states
 
-    @property
+    @cached_property
     def half_time(self) -> float | None:
         """When ⟨L_b⟩ has fallen to J/2 for the first time [s]; None where it starts below, or turns back before."""
         times = self._scanned
@@ -189,7 +189,7 @@ class Racket:
         low, high = times[below[0] - 1], times[below[0]]
         return float(brentq(lambda time: self._at(time) - 0.5, low, high, xtol=1e-14 * high))  # type: ignore[arg-type]
 
-    @property
+    @cached_property
     def first_reversal(self) -> Reversal | None:
         """The first minimum of ⟨L_b⟩; None where there is none in a classical period and the time of the flip."""
         times = self._scanned
@@ -204,7 +204,7 @@ class Racket:
     def _at(self, time: float) -> float:
         return float(self.quantum(np.array([time]))[0])
 
-    @property
+    @cached_property
     def _scanned(self) -> Float64[Array, "time"]:
         """Times (T,) in which a body turns over: a period, or ln J + 2.3 over the rate and more, on the saddle."""
         scanned = 600  # times among which the first reversal lies

@@ -79,15 +79,29 @@ def coherent_state(s: float, direction: Real[ArrayLike, "*batch 3"]) -> Complex1
     require_doubles(direction=direction)
     m = magnetic_numbers(s)
     n = unit_vectors("direction", direction)
-    share = 0.5 * (1.0 + n[..., 2])  # cos²(θ/2), from sin θ where it is small
-    flat = np.hypot(n[..., 0], n[..., 1])
-    # (1 + n_z)/2 = sin²θ/(2(1 − n_z))
-    share = np.where(n[..., 2] < 0.0, 0.5 * flat * flat / (1.0 - np.minimum(n[..., 2], 0.0)), share)
-    from scipy.stats import binom  # which takes as long to import as a report's figures to draw
-
+    # cos²(θ/2) and sin²(θ/2), the smaller one from sin θ: 1 − cos θ would cancel
+    smaller = 0.5 * (n[..., 0] ** 2 + n[..., 1] ** 2) / (1.0 + np.abs(n[..., 2]))
+    up, down = (np.where(n[..., 2] < 0.0, *pair) for pair in ((smaller, 1.0 - smaller), (1.0 - smaller, smaller)))
     # |⟨m|n⟩|² = C(2s, s+m) cos^(2(s+m))(θ/2) sin^(2(s−m))(θ/2): the binomial distribution of s + m
-    size = np.sqrt(binom.pmf(np.round(s + m), round(2.0 * s), share[..., None]))
+    size = np.sqrt(_binomial(round(2.0 * s), up, down))[..., ::-1]
     return size * np.exp(-1j * m * np.arctan2(n[..., 1], n[..., 0])[..., None])
+
+
+def _binomial(n: int, share: Float64[Array, "*batch"], other: Float64[Array, "*batch"]) -> Float64[Array, "*batch n+1"]:
+    """Return the probabilities of 0, 1, …, n successes, each with probability ``share``, 1 − share being ``other``.
+
+    They are products of ratios of next ones from the most likely one on, and then made to sum to one. SciPy's package
+    of distributions takes longer to import than a report's figures to draw.
+    """
+    count, share, other = np.arange(1, n + 1), np.asarray(share)[..., None], np.asarray(other)[..., None]
+    likeliest = np.minimum(np.floor((n + 1) * share), n)
+    with np.errstate(divide="ignore"):
+        ratios = (n - count + 1.0) / count * share / other  # of `count` successes to one less
+        after, before = np.where(count > likeliest, ratios, 1.0), np.where(count > likeliest, 1.0, 1.0 / ratios)
+    one = np.ones_like(share)
+    rising = np.concatenate([one, np.cumprod(after, axis=-1)], axis=-1)
+    falling = np.concatenate([np.cumprod(before[..., ::-1], axis=-1)[..., ::-1], one], axis=-1)
+    return rising * falling / (rising * falling).sum(axis=-1, keepdims=True)
 
 
 def unit_vectors(name: str, vectors: Any) -> Float64[Array, "*batch 3"]:
