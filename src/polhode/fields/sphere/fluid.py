@@ -10,7 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode._base import check
-from polhode._base.arrays import known_numbers_only
+from polhode._base.arrays import compiled_for_few_calls, known_numbers_only
 from polhode.algebra._functions import Function
 from polhode.fields.sphere._harmonics import (
     checked_coefficients,
@@ -131,6 +131,7 @@ class SphereFluid(AbstractLiePoissonSystem):
         held, per_sample = 17, 2  # matrices, by XLA's analysis of its programs
         return RunCost(steps * each, 16.0 * self.size**2 * (held + per_sample * samples))
 
+    @compiled_for_few_calls
     def stream_function(self, point: Matrices) -> Matrices:
         """Return P = Δ⁻¹(W − F) (…, N, N)."""
         return inverse_laplacian(jnp.asarray(point) - self.planetary)
@@ -180,6 +181,7 @@ class SphereFluid(AbstractLiePoissonSystem):
         table = checked_coefficients(self.size, coefficients)
         return self.algebra.from_harmonics(jnp.asarray(table)) + self.planetary
 
+    @compiled_for_few_calls
     def to_harmonics(self, state: Matrices) -> Complex128[Array, "*batch n n"]:
         """Return f_lm (…, N, N) of the relative vorticity, l by rows, m ≥ 0 by columns."""
         return self.algebra.to_harmonics(jnp.asarray(state) - self.planetary)
@@ -217,6 +219,7 @@ class SphereFluid(AbstractLiePoissonSystem):
         n = self.size
         return jnp.asarray(1j * strength * n / (4.0 * math.pi) * (np.outer(state, state.conj()) - np.eye(n) / n))
 
+    @compiled_for_few_calls
     def energy_spectrum(self, state: Matrices) -> Float64[Array, "*batch n"]:
         """Return the energies E_l (…, N) by degree; they add up to ``energy``."""
         f = self.to_harmonics(state)
@@ -224,6 +227,7 @@ class SphereFluid(AbstractLiePoissonSystem):
         squares = jnp.abs(f[..., 0]) ** 2 + 2.0 * jnp.sum(jnp.abs(f[..., 1:]) ** 2, axis=-1)
         return 0.5 * squares * inverse_squares(self.size)
 
+    @compiled_for_few_calls
     def energy_transfer(self, state: Matrices) -> Float64[Array, "*batch n"]:
         """Return the rates (…, N) at which each degree's E_l gains energy from the others; they add up to zero.
 

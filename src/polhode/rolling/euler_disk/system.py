@@ -12,7 +12,7 @@ import numpy as np
 
 from polhode import rotation
 from polhode._base import check
-from polhode._base.arrays import known_numbers_only, require_doubles
+from polhode._base.arrays import compiled_for_few_calls, known_numbers_only, require_doubles
 from polhode.bodies._pivot import STANDARD_GRAVITY
 from polhode.errors import InvalidInput, shown
 from polhode.motion._layout import StateLayout, StatePart
@@ -137,25 +137,30 @@ class EulerDisk(AbstractSystem):
 
     # ------------------------------------------------------------------ what a state means
 
+    @compiled_for_few_calls
     def energy(self, state: States) -> Float64[Array, "*batch"]:
         """Return kinetic and potential energy [J], above that of the disk lying flat."""
         return self.mechanics.energy(*rolling_parts(state))
 
+    @compiled_for_few_calls
     def power(self, state: States) -> Float64[Array, "*batch"]:
         """Return the rate [W] at which the laws of dissipation take energy away."""
         theta, _, w2, w3 = rolling_parts(state)
         tau2, tau3 = couples(self.mechanics, self.dissipation, theta, w2, w3)
         return -(tau2 * w2 + tau3 * w3)
 
+    @compiled_for_few_calls
     def precession(self, state: States) -> Float64[Array, "*batch"]:
         """Return φ̇ [rad/s], at which the horizontal diameter and the contact point go round."""
         return LAYOUT.part(state, "rise_rate") / jnp.sin(LAYOUT.part(state, "tilt"))
 
+    @compiled_for_few_calls
     def face_rate(self, state: States) -> Float64[Array, "*batch"]:
         """Return χ̇ = ω3 + φ̇ (1 − cos θ) [rad/s], at which what is printed on the face turns."""
         slant = jnp.sin(0.5 * LAYOUT.part(state, "tilt"))
         return LAYOUT.part(state, "spin") + 2.0 * self.precession(state) * slant**2
 
+    @compiled_for_few_calls
     def powers(self, state: States) -> Float64[Array, "*batch laws"]:
         """Return the power of each law (…, laws) [W] at the tilt towards the table and the rate of precession.
 
@@ -166,10 +171,12 @@ class EulerDisk(AbstractSystem):
         powers = [jnp.broadcast_to(law.power(self.mechanics, tilt, rate), tilt.shape) for law in self.dissipation]
         return jnp.stack(powers, axis=-1) if powers else jnp.zeros((*tilt.shape, 0))
 
+    @compiled_for_few_calls
     def normal_force(self, state: States) -> Float64[Array, "*batch"]:
         """Return the force [N] with which the plane pushes upwards."""
         return self.mechanics.normal_force(*rolling_parts(state))
 
+    @compiled_for_few_calls
     def center(self, state: States) -> Float64[Array, "*batch 3"]:
         """Return the centre of mass (…, 3) [m, space]."""
         _, e2, e3 = _frame(state)
@@ -177,6 +184,7 @@ class EulerDisk(AbstractSystem):
         contact = jnp.stack([x, y, jnp.zeros_like(x)], axis=-1)
         return contact + self.mechanics.radius * e2 + self.mechanics.half_thickness * e3
 
+    @compiled_for_few_calls
     def center_velocity(self, state: States) -> Float64[Array, "*batch 3"]:
         """Return the velocity (…, 3) [m/s, space] at which the centre moves if the disk rolls."""
         e1, e2, e3 = _frame(state)
@@ -184,6 +192,7 @@ class EulerDisk(AbstractSystem):
         w1, w2, w3 = (rate[..., None] for rate in rolling_parts(state)[1:])
         return (b * w2 - a * w3) * e1 - b * w1 * e2 + a * w1 * e3
 
+    @compiled_for_few_calls
     def vectors(self, state: States) -> Vectors:
         state = jnp.asarray(state)
         theta, w1, w2, w3 = rolling_parts(state)
@@ -272,7 +281,7 @@ class EulerDisk(AbstractSystem):
                 f"`state` of EulerDisk must have shape (…, 8): θ, φ, χ, X, Y, ω1, ω2, ω3; got {jnp.shape(state)}. "
                 "Make it by `state` or `rolling_state`."
             )
-        self._check_tilt(np.asarray(LAYOUT.part(state, "tilt")))
+        self._check_tilt(LAYOUT.part(np.asarray(state), "tilt"))
         return state
 
     def scales(self, state: States) -> Float64[Array, "8"]:
