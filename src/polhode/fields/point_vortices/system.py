@@ -9,7 +9,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode._base import check
-from polhode._base.arrays import is_traced, known_numbers_only, require_doubles
+from polhode._base.arrays import compiled_for_few_calls, is_traced, known_numbers_only, require_doubles
 from polhode.algebra._functions import Function
 from polhode.algebra.heisenberg import Heisenberg
 from polhode.algebra.power import Power
@@ -85,10 +85,12 @@ class SphereVortices(AbstractLiePoissonSystem):
             raise InvalidInput(f"`positions` must be finite directions other than zero; got {shown(positions)}.")
         return self.strengths[:, None] * (places / size)
 
+    @compiled_for_few_calls
     def positions(self, point: Real[ArrayLike, "*batch n 3"]) -> Float64[Array, "*batch n 3"]:
         """Return the unit vectors x (…, n, 3) at which the vortices are."""
         return jnp.asarray(point) / self.strengths[:, None]
 
+    @compiled_for_few_calls
     def stream_function(
         self, point: Real[ArrayLike, "n 3"], places: Real[ArrayLike, "*places 3"]
     ) -> Float64[Array, "*places"]:
@@ -199,10 +201,12 @@ class PlaneVortices(AbstractLiePoissonSystem):
         levels = jnp.broadcast_to(1.0 / self.strengths, places.shape[:-1])
         return jnp.stack([places[..., 1], places[..., 0], levels], axis=-1)
 
+    @compiled_for_few_calls
     def positions(self, point: Real[ArrayLike, "*batch n 3"]) -> Float64[Array, "*batch n 2"]:
         """Return the positions (…, n, 2) [m] of the vortices."""
         return jnp.asarray(point)[..., 1::-1]
 
+    @compiled_for_few_calls
     def stream_function(
         self, point: Real[ArrayLike, "n 3"], places: Real[ArrayLike, "*places 2"]
     ) -> Float64[Array, "*places"]:
@@ -319,6 +323,7 @@ def _square_apart(partners: Integer[Array, "n"], square: Float64[Array, "*batch 
     return jnp.where(_active(partners) > 0, square, 1.0)
 
 
+@compiled_for_few_calls
 def _pair_energy(strengths: Float64[Array, "n"], places: Float64[Array, "*batch n k"]) -> Float64[Array, "*batch"]:
     """Return −(1/4π) Σ_{i<j} Γ_i Γ_j ln|x_i − x_j|² (…)."""
     _, square = _differences(places)
@@ -327,6 +332,7 @@ def _pair_energy(strengths: Float64[Array, "n"], places: Float64[Array, "*batch 
     return -0.25 * HALF_TURN * jnp.sum(products * jnp.log(square), axis=(-2, -1))
 
 
+@compiled_for_few_calls
 def _pulls(strengths: Float64[Array, "n"], places: Float64[Array, "*batch n k"]) -> Float64[Array, "*batch n k"]:
     """Return Σ_j Γ_j (x_i − x_j)/|x_i − x_j|² (…, n, k)."""
     apart, square = _differences(places)

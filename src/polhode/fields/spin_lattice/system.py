@@ -10,7 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode._base import check
-from polhode._base.arrays import is_traced, known_numbers_only
+from polhode._base.arrays import compiled_for_few_calls, is_traced, known_numbers_only
 from polhode.algebra._functions import Function
 from polhode.algebra.power import Power
 from polhode.algebra.so3 import SO3
@@ -149,6 +149,7 @@ class SpinLattice(AbstractLiePoissonSystem):
             total = total + self.dipolar * dipole_field(self.kernel, point)
         return total
 
+    @compiled_for_few_calls
     def energy(self, point: Real[ArrayLike, "..."]) -> Float64[Array, "..."]:
         point = jnp.asarray(point)
         half = self._of_bonds(point, both=False)

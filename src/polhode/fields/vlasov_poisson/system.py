@@ -11,7 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from polhode._base import check
-from polhode._base.arrays import known_numbers_only, require_doubles
+from polhode._base.arrays import compiled_quickly, known_numbers_only, require_doubles
 from polhode.algebra._functions import Function
 from polhode.algebra.heisenberg import Heisenberg
 from polhode.algebra.power import Power
@@ -83,6 +83,7 @@ class VlasovPoisson(AbstractLiePoissonSystem):
         """k = 2π/L of the longest wave."""
         return 2.0 * jnp.pi / self.length
 
+    @compiled_quickly
     def density_modes(self, point: Float64[Array, "*batch n 3"]) -> Float64[Array, "*batch m 2"]:
         """Return real and imaginary parts (…, modes, 2) of ρ_j/L, j = 1, …, M; the mean density is ρ_0/L."""
         x, weight = point[..., 1], 1.0 / point[..., 2]
