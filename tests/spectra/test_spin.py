@@ -1,5 +1,8 @@
 """Spins: commutators, coherent states, evolution."""
 
+import math
+from fractions import Fraction
+
 import numpy as np
 import pytest
 from scipy.linalg import expm
@@ -78,3 +81,16 @@ def test_radii_of_orbits():
 def test_what_is_refused(call):
     with pytest.raises(InvalidInput):
         call()
+
+
+@pytest.mark.parametrize("share", [Fraction(0), Fraction(1, 3), Fraction(1, 2), Fraction(3, 4), Fraction(1)])
+def test_numbers_of_a_coherent_state_are_the_binomial_distribution(share):
+    """Against whole numbers, at a spin whose powers leave doubles; n = (sin θ, 0, cos θ), cos²(θ/2) = share."""
+    count = 3000
+    cosine = float(2 * share - 1)
+    found = np.abs(coherent_state(count / 2, (math.sqrt(1.0 - cosine**2), 0.0, cosine))) ** 2
+    for up in (0, 1, 999, 1000, 1500, 1501, 2250, 2999, 3000):
+        exact = math.comb(count, up) * share**up * (1 - share) ** (count - up)
+        # roundings of cos θ grow by the number, and there are as many products
+        assert found[count - up] == pytest.approx(float(exact), rel=2e-12, abs=1e-300)
+    assert found.sum() == pytest.approx(1.0, abs=1e-14)

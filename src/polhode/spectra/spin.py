@@ -87,7 +87,9 @@ def coherent_state(s: float, direction: Real[ArrayLike, "*batch 3"]) -> Complex1
     return size * np.exp(-1j * m * np.arctan2(n[..., 1], n[..., 0])[..., None])
 
 
-def _binomial(n: int, share: Float64[Array, "*batch"], other: Float64[Array, "*batch"]) -> Float64[Array, "*batch n+1"]:
+def _binomial(
+    n: int, share: Float64[Array, "*batch"], other: Float64[Array, "*batch"]
+) -> Float64[Array, "*batch {n}+1"]:
     """Return the probabilities of 0, 1, …, n successes, each with probability ``share``, 1 − share being ``other``.
 
     They are products of ratios of next ones from the most likely one on, and then made to sum to one. SciPy's package
