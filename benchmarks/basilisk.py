@@ -42,12 +42,16 @@ def whole(parts: list[tuple[float, np.ndarray, np.ndarray]]) -> ph.Body:
     return ph.Body(mass, center, about - mass * spread(center))
 
 
-def basilisk(add: Callable[..., Any], step: float = STEP) -> np.ndarray:
+def basilisk(
+    add: Callable[..., Any], step: float = STEP, velocity: np.ndarray = VELOCITY, default: bool = False
+) -> np.ndarray:
     """Return the attitudes as MRPs of the hub's frame at the samples.
 
     Args:
         add: puts effectors onto (simulation, spacecraft, task), and returns what has to live as long as these.
         step: of the task and of the integrator [s].
+        velocity: (3,) at the start [rad/s, hub's axes].
+        default: whether to take Basilisk's own integrator, RK4, in place of RKF78.
     """
     from Basilisk.simulation import spacecraft, svIntegrators
     from Basilisk.utilities import SimulationBaseClass, macros
@@ -58,12 +62,13 @@ def basilisk(add: Callable[..., Any], step: float = STEP) -> np.ndarray:
     craft = spacecraft.Spacecraft()
     craft.ModelTag = "craft"
     craft.hub.mHub, craft.hub.r_BcB_B = MASS, CENTER.reshape(3, 1).tolist()
-    craft.hub.IHubPntBc_B, craft.hub.omega_BN_BInit = INERTIA.tolist(), VELOCITY.reshape(3, 1).tolist()
+    craft.hub.IHubPntBc_B, craft.hub.omega_BN_BInit = INERTIA.tolist(), velocity.reshape(3, 1).tolist()
     craft.hub.sigma_BNInit = [[0.0], [0.0], [0.0]]
     kept = [add(sim, craft, "task")]
-    integrator = svIntegrators.svIntegratorRKF78(craft)
-    integrator.relTol, integrator.absTol = 1e-13, 1e-14
-    craft.setIntegrator(integrator)
+    if not default:
+        integrator = svIntegrators.svIntegratorRKF78(craft)
+        integrator.relTol, integrator.absTol = 1e-13, 1e-14
+        craft.setIntegrator(integrator)
     sim.AddModelToTask("task", craft)
     recorder = craft.scStateOutMsg.recorder(macros.sec2nano(UNTIL / (SAMPLES - 1)))
     sim.AddModelToTask("task", recorder)
@@ -80,17 +85,28 @@ def basilisk(add: Callable[..., Any], step: float = STEP) -> np.ndarray:
 
 def apart(found: ph.Trajectory, modified: np.ndarray) -> float:
     """Return the largest angle between attitudes along the given axes and MRPs [rad]."""
-    ours = np.asarray(found.along("given").attitude)
+    return angle(np.asarray(found.along("given").attitude), quaternions(modified))
+
+
+def quaternions(modified: np.ndarray) -> np.ndarray:
+    """Return unit quaternions of MRPs (…, 3)."""
     square = np.sum(modified**2, axis=-1, keepdims=True)
-    theirs = np.concatenate([1.0 - square, 2.0 * modified], axis=-1) / (1.0 + square)
+    return np.concatenate([1.0 - square, 2.0 * modified], axis=-1) / (1.0 + square)
+
+
+def angle(ours: np.ndarray, theirs: np.ndarray) -> float:
+    """Return the largest angle between unit quaternions [rad]."""
     between = rotation.multiply(rotation.conjugate(ours), theirs[: len(ours)])
-    return float(2.0 * np.arcsin(np.linalg.norm(between[:, 1:], axis=-1)).max())
+    return float(2.0 * np.arcsin(np.minimum(np.linalg.norm(between[:, 1:], axis=-1), 1.0)).max())
 
 
-def wheels() -> tuple[RigidBody, Any, Callable[..., Any]]:
+WHEEL_AXES = np.array([[1.0, 0.0, 0.0], [0.6, 0.8, 0.0], [0.48, 0.6, 0.64]])
+WHEEL_RATES, WHEEL_TORQUES, WHEEL_MOMENT = np.array([100.0, -50.0, 30.0]), np.array([1e-3, -2e-3, 0.0]), 0.159
+
+
+def wheels(velocity: np.ndarray = VELOCITY) -> tuple[RigidBody, Any, Callable[..., Any]]:
     """Three wheels on skew axes, two of them driven by constant torques."""
-    axes = np.array([[1.0, 0.0, 0.0], [0.6, 0.8, 0.0], [0.48, 0.6, 0.64]])
-    rates, torques, moment = np.array([100.0, -50.0, 30.0]), np.array([1e-3, -2e-3, 0.0]), 0.159
+    axes, rates, torques, moment = WHEEL_AXES, WHEEL_RATES, WHEEL_TORQUES, WHEEL_MOMENT
     body = RigidBody.from_body(whole([]), [Wheel(a, moment, u) for a, u in zip(axes, torques, strict=True)])
 
     def add(sim: Any, craft: Any, task: str) -> Any:
@@ -111,7 +127,7 @@ def wheels() -> tuple[RigidBody, Any, Callable[..., Any]]:
         sim.AddModelToTask(task, effector)
         return factory, effector, message
 
-    return body, body.pack((1.0, 0.0, 0.0, 0.0), VELOCITY, rates=list(rates)), add
+    return body, body.pack((1.0, 0.0, 0.0, 0.0), velocity, rates=list(rates)), add
 
 
 def gravity() -> tuple[RigidBody, Any, Callable[..., Any]]:
