@@ -45,7 +45,9 @@ def main() -> None:
         print("\n".join(part), flush=True)
         text += part
     if not chosen.only and not chosen.quick:
-        (HOME / "RESULTS.md").write_text("\n".join(text) + "\n", "utf-8")
+        results = HOME / "RESULTS.md"
+        kept = results.read_text("utf-8").partition(OTHERS)[2] if results.exists() else ""
+        results.write_text("\n".join(text) + "\n\n" + OTHERS + kept, "utf-8")
 
 
 def _table(measure: Any, quick: bool) -> Iterator[str]:
@@ -74,6 +76,7 @@ def _error(value: float | None) -> str:
     return "" if value is None else f"{value:.1e}"
 
 
+OTHERS = "## By scripts of their own\n"  # from here on the file is written by hand
 HEAD = """\
 # Results of the benchmarks
 
@@ -83,8 +86,7 @@ states that are exact to 17 digits; others are the largest of all components.
 
 {when}, {processor}, {system}, Python {python}; {versions}.
 
-What first calls cost is measured by `first_calls.py`, error against work of all integrators by `work_precision.py`, a
-GPU by `gpu.py`, a sweep on a cluster by `scale.py`."""
+What first calls cost is measured by `first_calls.py`, a GPU by `gpu.py`; what other scripts found stands at the end."""
 
 
 def _head() -> Iterable[str]:

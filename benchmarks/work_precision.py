@@ -63,7 +63,7 @@ def find_curves(case: Case, starts: np.ndarray, quick: bool) -> Iterator[tuple[s
     tolerances = TOLERANCES[:: 2 if quick else 1]
     yield SERIES, measure(run, tolerances, exact)
     yield KNOWN, measure(partial(run, known=True), tolerances, exact)
-    yield HEYOKA, measure(peer(case, starts, SPAN), [*tolerances, 1e-16], exact)
+    yield HEYOKA, measure(peer(case, starts, SPAN), tolerances, exact)
     yield DOPRI8, measure(dopri8(case, starts, SPAN), tolerances, exact)
     if len(starts) == 1:
         way: dict[str, Any] = (
