@@ -13,10 +13,11 @@ MOST = {"jupiter_cyclones": 26, "sphere_turbulence": 32, "euler_disk": 48}
 """Programs that a report compiles and keeps; once 49, 103 and 86, each operation by itself."""
 
 
-@pytest.mark.parametrize(
-    "example",
-    [pytest.param("jupiter_cyclones", marks=pytest.mark.long), pytest.param("sphere_turbulence", marks=SLOW), pytest.param("euler_disk", marks=SLOW)],
-)
+@pytest.mark.parametrize("example", [
+    pytest.param("jupiter_cyclones", marks=pytest.mark.long),
+    pytest.param("sphere_turbulence", marks=SLOW),
+    pytest.param("euler_disk", marks=SLOW),
+])
 def test_few_programs_are_compiled(example, tmp_path):
     kept = tmp_path / "programs"
     known = {**os.environ, "POLHODE_REPORTS_CACHE": "", "POLHODE_COMPILED_CACHE": str(kept)}
