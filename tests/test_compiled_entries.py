@@ -265,8 +265,8 @@ def load(self, form):
     loaded.append((self.name.rpartition("_")[0], found is not None))
     return found
 entries.Entry._load = load
-times = np.linspace(0.0, 9.0, 3000)
-attitude, momentum = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.ones((3000, 1)) * (0.3, 1.8, 1.5)).state(times)
+times = np.linspace(0.0, 9.0, 6000)
+attitude, momentum = ph.FreeMotion((1.0, 2.0, 3.0), momentum=np.ones((6000, 1)) * (0.3, 1.8, 1.5)).state(times)
 print(sorted(loaded), "numba" in sys.modules, "llvmlite" in sys.modules, attitude[-1].tobytes().hex())
 """
 
