@@ -29,7 +29,7 @@ def put_back(system, wanted_at, y, scale):
         machine, n = build_machine(system, wanted_at, (0.0, 1.0)), len(y)
         wanted, slack = _evaluate_conserved(machine, wanted_at[None], scale[None])
         count = wanted.shape[1]
-        lanes = lanes_for(machine.program, exact_for(None, np.zeros(0), 1), 3, 1, 0, count)
+        lanes = lanes_for(machine.program, exact_for(None, np.zeros(0), 1), 3, 1, 0, count, 0)
         lanes.which[0], lanes.states[:n], lanes.scales[:n] = 0, y, scale
         lanes.wanted[:count], lanes.slack[:count] = wanted[0], slack[0]
         back_onto = python_kernel(1).advance.__globals__["back_onto"]

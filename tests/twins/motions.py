@@ -199,7 +199,7 @@ def table_lines(count: int) -> dict[str, dict[str, list[str]]]:
         for motion in drawn(kind, COMMITTED, SEED):
             lines = found[kind][motion.family]
             if len(lines) < count:
-                lines.append(_line(motion))
+                lines.append(line_of(motion))
     return found
 
 
@@ -218,7 +218,8 @@ COLUMNS = {
 }  # fmt: skip
 
 
-def _line(motion: Motion) -> str:
+def line_of(motion: Motion) -> str:
+    """Return a motion as a row of the table."""
     answers = by_oracle([motion])
     units = [1.0] * 4 + [float(answers.sizes[0])] * 3
     state = [x if abs(x) >= SMALLEST * unit else 0.0 for x, unit in zip(answers.states[0].tolist(), units, strict=True)]

@@ -170,7 +170,8 @@ def _serves(machine: Machine | str, start: tuple[float, ...]) -> bool:
     y[0, : machine.form.size] = start[:-1]
     if machine.clock >= 0:
         y[0, machine.clock] = start[-1]
-    return not machine.branches.touches_border(y)
+    with np.errstate(all="ignore"):  # rates that are no numbers are refused by the run
+        return not machine.branches.touches_border(y)
 
 
 @kept_of_object

@@ -84,7 +84,7 @@ class RollingDisks:
         for k in np.unique(over[over >= 0]):  # reports on these have the same closer times
             rows = np.flatnonzero(over == k)
             closer = np.linspace(0.0, float(times[k]), self.samples)
-            path = simulate(self.disk, self.start[rows], closer, estimate_error=False)
+            path = simulate(self.disk, self.start[rows], closer)
             lowest[rows] = np.minimum(lowest[rows], np.asarray(self.disk.normal_force(path.states)).min(axis=-1))
         return lowest
 
