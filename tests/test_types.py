@@ -130,7 +130,7 @@ def test_a_broken_motion_is_caught(monkeypatch, checked):
      lambda: systems.KeplerOrbit(1.0, 0.1).distance_ratio(np.linspace(0.0, 1.0, 5))),
     ("integrators._composition", "STAGES", {2: (1,)}, lambda: composition.stages(2)),
     ("exact.free_body._evaluation", "FORM", SimpleNamespace(
-        columns=lambda given: np.zeros(50), states=lambda *given: (np.zeros((5, 3)), np.zeros((5, 4)))),
+        columns=lambda given: np.zeros(50), states_of=lambda *given: (np.zeros((5, 3)), np.zeros((5, 4)))),
      lambda: polhode.FreeMotion((1.0, 2.0, 3.0), momentum=(0.3, 1.8, 1.5)).momentum(np.arange(5.0))),
     ("analysis.poinsot", "as_float64", lambda xp, value, name: xp.asarray(value[:2]),
      lambda: poinsot.ellipsoid_semi_axes((1.0, 2.0, 3.0))),

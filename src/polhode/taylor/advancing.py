@@ -115,7 +115,7 @@ def outcome(
 def _advance(copies: Copies, machine: Machine, course: Course, use: Kernel, running: Array, most: int) -> None:
     code, values = write_code(use, machine.program, machine.integrals)
     limit = min(most, max(1, use.stretch // machine.program.length))
-    orders = max(course.order, *course.orders) + 1 if course.companions else course.order + 1
+    orders = 1 + max(course.order, *course.orders.tolist()) if course.companions else 1 + course.order
     watched, conserved = len(course.falling), copies.wanted.shape[1]
 
     def fill(low: int, high: int) -> None:
