@@ -59,7 +59,7 @@ class Written(NamedTuple):
     vectors: tuple[int | None, ...]
 
 
-def tell(system: AbstractSystem, states: Double[np.ndarray, "*batch time ..."]) -> Told | None:
+def tell(system: AbstractSystem, states: Double[np.ndarray, "..."]) -> Told | None:
     """Return what a system says of states (batch…, T, *shape); None where that is not written.
 
     Systems with balances, or with quantities of their copies, are not.
