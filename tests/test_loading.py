@@ -14,7 +14,7 @@ from polhode.kinds.registry import kind_names
 
 ROOT = Path(__file__).parents[1]
 SOURCES = Path(polhode.__file__).parent
-MOST_LINES = {"t_handle": 22_000, "gyroscope": 38_000, "cubesat_6u": 36_500, "water_spectrum": 21_000}
+MOST_LINES = {"t_handle": 22_000, "gyroscope": 38_000, "cubesat_6u": 36_500, "water_spectrum": 22_000}
 """Lines of the modules of polhode that a report of an example may load: what it does, and a twentieth more."""
 OWN = {
     "t_handle": {"kinds.free_body"}, "gyroscope": {"kinds.heavy_top", "kinds.lagrange_top"},
