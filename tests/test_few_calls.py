@@ -7,6 +7,7 @@ import pytest
 
 import polhode.systems  # noqa: F401, switches JAX to 64 bits
 from polhode._base.arrays import compiled_for_few_calls, few_calls
+from polhode._base.arrays.gathering import gather
 
 X = np.linspace(0.3, 1.7, 5)
 
@@ -94,3 +95,12 @@ def test_a_result_is_no_view_of_an_argument():
 def test_constants_that_are_not_finite_are_taken_quietly():
     found = compiled_for_few_calls(lambda x: x + jnp.log(jnp.zeros(())) / jnp.ones(()))(X)
     assert np.isneginf(found).all()
+
+
+def test_a_single_number_of_any_type_is_gathered_as_an_array():
+    """Of older JAX, which writes an index as this; an array of objects gave the object itself."""
+    numbers = jax.lax.GatherDimensionNumbers((), (0, 1), (0, 1))
+    array, mode = np.array([[None, "here"]], object), jax.lax.GatherScatterMode.PROMISE_IN_BOUNDS
+    parameters = {"dimension_numbers": numbers, "slice_sizes": (1, 1), "mode": mode, "fill_value": None}
+    found = gather([array, np.array([0, 1], np.int32)], parameters)
+    assert found.shape == () and found[()] == "here"

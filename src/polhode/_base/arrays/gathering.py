@@ -39,7 +39,7 @@ def gather(x: list[Array], parameters: dict[str, Any]) -> Shaped[Array, "..."]:
     between = of.operand_batching_dims, of.start_indices_batching_dims
     sizes, left_out = parameters["slice_sizes"], of.collapsed_slice_dims
     windows = _place(array.shape, starts, of.start_index_map, sizes, left_out, between)
-    taken = array[tuple(windows.places)]
+    taken = array[(*windows.places, ...)]  # an array, of single numbers of any type too
     if parameters["mode"].name == "FILL_OR_DROP" and not windows.inside.all():
         inside = windows.inside.reshape(windows.inside.shape + (1,) * windows.axes)
         taken = np.where(inside, taken, _choose_filling(parameters["fill_value"], array.dtype))
