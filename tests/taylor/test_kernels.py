@@ -134,7 +134,7 @@ def test_lanes_change_no_bit(by):
     """Eleven copies, of which three wait for a lane, and some end early, against each alone."""
     by(kernels.compile_kernel(1))
     alone = motions(11, alone=True)
-    assert len({int(status) for status in np.concatenate(alone[2::8])}) == 3  # there are all kinds of ends
+    assert len({int(status) for status in np.concatenate(alone[2::10])}) == 3  # there are all kinds of ends
     assert_same_bits(alone, motions(11))
     by(kernels.compile_kernel(lanes.LANES))
     assert_same_bits(alone, motions(11))
