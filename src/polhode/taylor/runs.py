@@ -147,7 +147,8 @@ class Plan(NamedTuple):
     @property
     def takes_companions(self) -> bool:
         """Whether companions can take the steps: past a border or a detected jump they go at times of their own."""
-        return not (self.precision.extended or self.detected or self.machines[0].branches is not None)
+        branching = any(machine.branches is not None for machine in self.machines)
+        return not (self.precision.extended or self.detected or branching)
 
 
 def _plan(
